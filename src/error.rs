@@ -1,0 +1,248 @@
+//! The one error type of the crate.
+//!
+//! Every message says what was asked, what the limit is and what to do.
+//! [`Error::exit_code`] is the contract of the command line:
+//! 1 a check failed, 2 refused before work began, 3 no adequate device,
+//! 4 failed while running.
+
+use std::path::PathBuf;
+
+/// `Result` with this crate's [`Error`].
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// How to get a Vulkan driver, for messages that report none.
+pub const INSTALL_HINT: &str = if cfg!(target_os = "linux") {
+    "install one: `apt-get install mesa-vulkan-drivers libvulkan1` (Debian, Ubuntu) gives lavapipe, \
+     a CPU driver; or use `--device cpu`, which needs no driver and gives the same bytes"
+} else if cfg!(target_os = "macos") {
+    "install the Vulkan SDK for macOS (MoltenVK), or use `--device cpu`, which needs no driver and \
+     gives the same bytes"
+} else {
+    "install your graphics vendor's driver, or use `--device cpu`, which needs no driver and gives \
+     the same bytes"
+};
+
+/// Everything that can go wrong, by what the caller can do about it.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A count of zero points.
+    #[error("{what} is 0; the least is 1: ask for at least one point")]
+    ZeroCount {
+        /// The argument that was zero.
+        what: &'static str,
+    },
+    /// Indices past the end of a sequence.
+    #[error(
+        "first + count = {first} + {count} = {} passes 2^32, the length of every sequence; \
+         lower --first or --count by {}",
+        u128::from(*first) + u128::from(*count),
+        u128::from(*first) + u128::from(*count) - (1u128 << 32)
+    )]
+    IndexRange {
+        /// First index asked for.
+        first: u64,
+        /// Number of points asked for.
+        count: u64,
+    },
+    /// A radical-inverse base that is no prime.
+    #[error("base {base} is not prime; Halton's bases are distinct primes: use {nearest}")]
+    NotPrime {
+        /// The base as given.
+        base: u64,
+        /// The nearest prime.
+        nearest: u64,
+    },
+    /// A prime base above the largest of the table.
+    #[error("base {base} is above {limit}, the largest prime that this build supports; choose a smaller one")]
+    BaseTooLarge {
+        /// The base as given.
+        base: u64,
+        /// The largest supported base.
+        limit: u32,
+    },
+    /// The same base twice.
+    #[error("base {base} is given twice, so two dimensions would be equal; Halton's bases are distinct primes: drop one")]
+    RepeatedBase {
+        /// The repeated base.
+        base: u32,
+    },
+    /// More dimensions than a sequence has.
+    #[error("{sequence} was asked for {asked} dimensions; it has {least} to {limit}: {remedy}")]
+    Dimensions {
+        /// The sequence's name.
+        sequence: &'static str,
+        /// Dimensions asked for.
+        asked: u64,
+        /// The fewest it can give.
+        least: u32,
+        /// The most it can give.
+        limit: u32,
+        /// What to do instead.
+        remedy: String,
+    },
+    /// A map that needs another number of dimensions.
+    #[error("map {map} takes {needed} dimensions per point; {given} were given: use --dims {needed}")]
+    MapDimensions {
+        /// The map's name.
+        map: &'static str,
+        /// Dimensions that it takes.
+        needed: u32,
+        /// Dimensions that it got.
+        given: u32,
+    },
+    /// Two arguments that exclude each other, or one that lacks another.
+    #[error("{asked}: {limit}; {remedy}")]
+    Arguments {
+        /// What was asked.
+        asked: String,
+        /// Why it cannot be.
+        limit: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A name that is not in a list.
+    #[error("unknown {kind} `{name}`{}; known: {known}", nearest.as_ref().map_or(String::new(), |n| format!(", did you mean `{n}`?")))]
+    UnknownName {
+        /// What kind of name: sequence, map, format.
+        kind: &'static str,
+        /// The name as given.
+        name: String,
+        /// The most similar known name, if any is similar.
+        nearest: Option<String>,
+        /// Every known name.
+        known: String,
+    },
+    /// An output that cannot be made.
+    #[error("cannot write {}: {problem}; {remedy}", path.display())]
+    Output {
+        /// The file asked for.
+        path: PathBuf,
+        /// Why it cannot be written.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// An image that cannot be read or used.
+    #[error("cannot use image {}: {problem}; {remedy}", path.display())]
+    Image {
+        /// The image's file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// No Vulkan device at all.
+    #[error("no Vulkan device was found ({reason}); {INSTALL_HINT}")]
+    NoDevice {
+        /// What the loader said.
+        reason: String,
+    },
+    /// A device that is not among those present.
+    #[error("unknown device `{asked}`; present: {present}; give an index or a part of a name, or `cpu`")]
+    UnknownDevice {
+        /// What was asked for.
+        asked: String,
+        /// The devices that are there.
+        present: String,
+    },
+    /// A device that lacks what the job needs.
+    #[error("device {device} is not adequate: {problem}; {remedy}")]
+    InadequateDevice {
+        /// The device's name.
+        device: String,
+        /// What it lacks.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// A Vulkan call that failed.
+    #[error("{call} failed: {result}; {}", vulkan_remedy(result))]
+    Vulkan {
+        /// The call, by its name in the specification.
+        call: &'static str,
+        /// The result code's name.
+        result: String,
+    },
+    /// A wait that took longer than any dispatch may.
+    #[error("{call} did not end within {seconds} s; the device hangs or is shared: try again, or use `--device cpu`")]
+    Timeout {
+        /// The call that waited.
+        call: &'static str,
+        /// The bound.
+        seconds: u64,
+    },
+    /// A file operation that failed while running.
+    #[error("cannot {action} {}: {source}; free space or choose another folder, then run again", path.display())]
+    Io {
+        /// What was tried.
+        action: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// The cause.
+        source: std::io::Error,
+    },
+    /// Stopped by a signal.
+    #[error("interrupted after {done} of {total}; nothing was left under the final name: run again")]
+    Interrupted {
+        /// Points finished.
+        done: u64,
+        /// Points asked for.
+        total: u64,
+    },
+    /// Results that are not what they must be.
+    #[error("{failures} of {total} checks failed; the table names them: do not trust this device for those functions, and report the table")]
+    CheckFailed {
+        /// Checks that failed.
+        failures: usize,
+        /// Checks that ran.
+        total: usize,
+    },
+    /// A shader that does not compile or breaks the rules of its tier.
+    #[error("shader {shader}: {problem}")]
+    Shader {
+        /// The shader's name.
+        shader: String,
+        /// The compiler's or linter's words.
+        problem: String,
+    },
+}
+
+impl Error {
+    /// Exit code of the command line for this error.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::CheckFailed { .. } => 1,
+            Self::ZeroCount { .. }
+            | Self::IndexRange { .. }
+            | Self::NotPrime { .. }
+            | Self::BaseTooLarge { .. }
+            | Self::RepeatedBase { .. }
+            | Self::Dimensions { .. }
+            | Self::MapDimensions { .. }
+            | Self::Arguments { .. }
+            | Self::UnknownName { .. }
+            | Self::Output { .. }
+            | Self::Image { .. }
+            | Self::UnknownDevice { .. } => 2,
+            Self::NoDevice { .. } | Self::InadequateDevice { .. } => 3,
+            Self::Vulkan { .. }
+            | Self::Timeout { .. }
+            | Self::Io { .. }
+            | Self::Interrupted { .. }
+            | Self::Shader { .. } => 4,
+        }
+    }
+}
+
+fn vulkan_remedy(result: &str) -> &'static str {
+    if result.contains("DEVICE_LOST") {
+        "the device was lost: run again, or use `--device cpu`"
+    } else if result.contains("OUT_OF") {
+        "memory ran out: close other programs, or ask for fewer points at a time"
+    } else {
+        "run `corput devices` to see what the driver offers, or use `--device cpu`"
+    }
+}

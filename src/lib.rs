@@ -1,0 +1,6 @@
+//! `corput`: a sampling toolkit for Vulkan compute.
+
+pub mod error;
+
+pub use error::{Error, Result};
+pub use glam;
