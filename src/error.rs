@@ -54,7 +54,9 @@ pub enum Error {
         nearest: u64,
     },
     /// A prime base above the largest of the table.
-    #[error("base {base} is above {limit}, the largest prime that this build supports; choose a smaller one")]
+    #[error(
+        "base {base} is above {limit}, the largest prime that this build supports; choose a smaller one"
+    )]
     BaseTooLarge {
         /// The base as given.
         base: u64,
@@ -62,7 +64,9 @@ pub enum Error {
         limit: u32,
     },
     /// The same base twice.
-    #[error("base {base} is given twice, so two dimensions would be equal; Halton's bases are distinct primes: drop one")]
+    #[error(
+        "base {base} is given twice, so two dimensions would be equal; Halton's bases are distinct primes: drop one"
+    )]
     RepeatedBase {
         /// The repeated base.
         base: u32,
@@ -82,7 +86,9 @@ pub enum Error {
         remedy: String,
     },
     /// A map that needs another number of dimensions.
-    #[error("map {map} takes {needed} dimensions per point; {given} were given: use --dims {needed}")]
+    #[error(
+        "map {map} takes {needed} dimensions per point; {given} were given: use --dims {needed}"
+    )]
     MapDimensions {
         /// The map's name.
         map: &'static str,
@@ -140,7 +146,9 @@ pub enum Error {
         reason: String,
     },
     /// A device that is not among those present.
-    #[error("unknown device `{asked}`; present: {present}; give an index or a part of a name, or `cpu`")]
+    #[error(
+        "unknown device `{asked}`; present: {present}; give an index or a part of a name, or `cpu`"
+    )]
     UnknownDevice {
         /// What was asked for.
         asked: String,
@@ -166,7 +174,9 @@ pub enum Error {
         result: String,
     },
     /// A wait that took longer than any dispatch may.
-    #[error("{call} did not end within {seconds} s; the device hangs or is shared: try again, or use `--device cpu`")]
+    #[error(
+        "{call} did not end within {seconds} s; the device hangs or is shared: try again, or use `--device cpu`"
+    )]
     Timeout {
         /// The call that waited.
         call: &'static str,
@@ -184,7 +194,9 @@ pub enum Error {
         source: std::io::Error,
     },
     /// Stopped by a signal.
-    #[error("interrupted after {done} of {total}; nothing was left under the final name: run again")]
+    #[error(
+        "interrupted after {done} of {total}; nothing was left under the final name: run again"
+    )]
     Interrupted {
         /// Points finished.
         done: u64,
@@ -192,7 +204,9 @@ pub enum Error {
         total: u64,
     },
     /// Results that are not what they must be.
-    #[error("{failures} of {total} checks failed; the table names them: do not trust this device for those functions, and report the table")]
+    #[error(
+        "{failures} of {total} checks failed; the table names them: do not trust this device for those functions, and report the table"
+    )]
     CheckFailed {
         /// Checks that failed.
         failures: usize,

@@ -1,0 +1,81 @@
+// what:   radical inverses of consecutive indices, without a division per point.
+// source: the von Neumann-Kakutani odometer: phi_b(n + 1) = phi_b(n) + b^-j +
+//         b^-(j+1) - 1, where j low digits of n are b - 1. Here on the low digits
+//         alone; the chain over the high digits is exact and made once per window.
+// domain: a window of at most `power` consecutive indices, bases 3 to 181.
+// range:  the same bits as corput_radical_inverse, for every n.
+// cost:   two radical inverses per window, about 16 instructions per point.
+// hooks:  none.
+// mirror: src/reference/odometer.rs
+#ifndef CORPUT_ODOMETER_GLSL
+#define CORPUT_ODOMETER_GLSL
+
+#include "corput/radical_inverse.glsl"
+
+// A base with the constants of its low digits: power = base^k <= 181, k <= 3.
+struct CorputOdometerBase {
+    CorputBase radical;
+    uint power;
+    // 2^32 = quotient * power + remainder.
+    uint quotient;
+    uint remainder;
+    // floor(x / power) = x * magic >> shift, for x < power * (power + 1).
+    uint magic;
+    uint shift;
+};
+
+// Where a window stands.
+struct CorputOdometer {
+    // The low digits of the index, mirrored: 0 to power - 1.
+    uint reversed;
+    // Quotient and remainder by power of the chain over the high digits, in this
+    // block of `power` indices and in the next.
+    uint quotient;
+    uint remainder;
+    uint next_quotient;
+    uint next_remainder;
+};
+
+// The window that starts at index n.
+CorputOdometer corput_odometer_start(uint n, CorputOdometerBase b) {
+    uint block = n / b.power;
+    uint low = n - block * b.power;
+    uint reversed = 0u;
+    for (uint scale = 1u; scale < b.power; scale *= b.radical.base) {
+        uint rest = low / b.radical.base;
+        reversed = reversed * b.radical.base + (low - rest * b.radical.base);
+        low = rest;
+    }
+    uint y = corput_radical_inverse_table(block, b.radical);
+    uint next = corput_radical_inverse_table(block + 1u, b.radical);
+    uint quotient = y / b.power;
+    uint next_quotient = next / b.power;
+    return CorputOdometer(reversed, quotient, y - quotient * b.power,
+        next_quotient, next - next_quotient * b.power);
+}
+
+// ceil(2^32 phi_b(n)) for the index n where the window stands.
+uint corput_odometer_value(CorputOdometer o, CorputOdometerBase b) {
+    // (reversed * 2^32 + y) / power, its whole parts taken out of the ceiling.
+    uint rest = o.reversed * b.remainder + o.remainder + b.power - 1u;
+    return o.reversed * b.quotient + o.quotient + ((rest * b.magic) >> b.shift);
+}
+
+// The window one index on.
+CorputOdometer corput_odometer_next(CorputOdometer o, CorputOdometerBase b) {
+    // Weights of the first three digits; past the last digit a weight is 0, and the
+    // step of that line is the wrap to 0.
+    uint first = b.power / b.radical.base;
+    uint second = first / b.radical.base;
+    uint third = second / b.radical.base;
+    uint step = o.reversed < b.power - first ? first
+        : o.reversed < b.power - second ? first + second - b.power
+        : o.reversed < b.power - third ? second + third - b.power
+        : 1u - b.power;
+    uint reversed = o.reversed + step;
+    bool wrapped = reversed == 0u;
+    return CorputOdometer(reversed, wrapped ? o.next_quotient : o.quotient,
+        wrapped ? o.next_remainder : o.remainder, o.next_quotient, o.next_remainder);
+}
+
+#endif

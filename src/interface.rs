@@ -1,0 +1,493 @@
+//! Layouts shared by Rust and GLSL, declared once: push constants, bindings,
+//! specialization constants and the list of compiled kernels.
+//!
+//! `build.rs` includes this file, writes [`Kernel::glsl`] as the include
+//! `"interface.glsl"` of each kernel and compiles it; a test compares the tables with
+//! what the SPIR-V says.
+
+use std::fmt::Write;
+
+/// A push-constant member: a `uint` of the shader and a `u32` of the struct.
+#[derive(Clone, Copy, Debug)]
+pub struct Member {
+    /// Name in both languages.
+    pub name: &'static str,
+    /// Byte offset in the block.
+    pub offset: usize,
+    /// What it means.
+    pub doc: &'static str,
+}
+
+/// A struct that is also a push-constant block.
+pub trait PushConstants: Copy {
+    /// Members in order.
+    const MEMBERS: &'static [Member];
+}
+
+macro_rules! push_constants {
+    ($(#[doc = $struct_doc:literal])* $name:ident { $($(#[doc = $doc:literal])* $member:ident),* $(,)? }) => {
+        $(#[doc = $struct_doc])*
+        #[repr(C)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct $name { $($(#[doc = $doc])* pub $member: u32),* }
+
+        impl PushConstants for $name {
+            const MEMBERS: &'static [Member] = &[$(Member {
+                name: stringify!($member),
+                offset: core::mem::offset_of!($name, $member),
+                doc: concat!($($doc),*),
+            }),*];
+        }
+
+        impl $name {
+            /// The block's bytes, as `vkCmdPushConstants` takes them.
+            #[must_use]
+            pub fn bytes(&self) -> Vec<u8> {
+                [$(self.$member),*].iter().flat_map(|word| word.to_ne_bytes()).collect()
+            }
+        }
+
+        const _: () = assert!(core::mem::size_of::<$name>() <= 128, "Vulkan guarantees 128 bytes");
+    };
+}
+
+push_constants! {
+    /// Arguments of the kernels that generate, map or evaluate.
+    WorkPush {
+        /// Index of the first point.
+        first,
+        /// Invocations that have work; the rest return.
+        invocations,
+        /// Distance of successive inputs, for kernels that make their inputs.
+        stride,
+    }
+}
+
+push_constants! {
+    /// Arguments of the irradiance kernel.
+    IrradiancePush {
+        /// Index of the first point.
+        first,
+        /// Points in all.
+        count,
+        /// Invocations, each of which sums the points congruent to it.
+        invocations,
+        /// Axis of the normal: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z.
+        axis,
+        /// Columns of the map.
+        width,
+        /// Rows of the map.
+        height,
+        /// Radiance is summed in units of 2^-scale.
+        scale,
+    }
+}
+
+/// What an std430 array holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// `uint`, 4 bytes.
+    Uint,
+    /// `uvec4`, 16 bytes.
+    Uvec4,
+}
+
+/// A storage buffer in set 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Binding {
+    /// Its number.
+    pub binding: u32,
+    /// The array's name.
+    pub name: &'static str,
+    /// The array's element.
+    pub element: Element,
+}
+
+/// A specialization constant of type `uint`.
+#[derive(Clone, Copy, Debug)]
+pub struct Constant {
+    /// Its `constant_id`.
+    pub id: u32,
+    /// Its name.
+    pub name: &'static str,
+    /// Its value where none is given.
+    pub default: u32,
+}
+
+/// One compiled module.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    /// Name of the module.
+    pub name: &'static str,
+    /// File in `shaders/kernels/`.
+    pub source: &'static str,
+    /// Macros; only where bindings, types or the profile differ.
+    pub defines: &'static [(&'static str, &'static str)],
+    /// Invocations per workgroup: at most 128, which every device has.
+    pub local_size: u32,
+    /// Push-constant members.
+    pub push: &'static [Member],
+    /// Storage buffers.
+    pub bindings: &'static [Binding],
+    /// Specialization constants.
+    pub constants: &'static [Constant],
+    /// Which rules the linter holds it to.
+    pub profile: Profile,
+}
+
+/// Which promises a module makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Profile {
+    /// Tier I: integers and exactly representable floats.
+    Integer,
+    /// Tier F: float + - * besides, never contracted.
+    Float,
+    /// The device's own functions.
+    Native,
+    /// The start-up probe: what the device does with floats is what it asks.
+    Probe,
+}
+
+impl Kernel {
+    /// Bytes of the push-constant block.
+    #[must_use]
+    pub fn push_bytes(&self) -> u32 {
+        4 * self.push.len() as u32
+    }
+
+    /// The GLSL of this interface: block, buffers, constants and the linear index of
+    /// the invocation.
+    #[must_use]
+    pub fn glsl(&self) -> String {
+        let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "layout(local_size_x = {}) in;", self.local_size);
+        for b in self.bindings {
+            let element = match b.element {
+                Element::Uint => "uint",
+                Element::Uvec4 => "uvec4",
+            };
+            let _ = writeln!(
+                text,
+                "layout(std430, set = 0, binding = {}) buffer Buffer{} {{ {element} {}[]; }};",
+                b.binding, b.binding, b.name
+            );
+        }
+        if !self.push.is_empty() {
+            text.push_str("layout(push_constant) uniform Push {\n");
+            for m in self.push {
+                let _ = writeln!(text, "    layout(offset = {}) uint {};", m.offset, m.name);
+            }
+            text.push_str("} push;\n");
+        }
+        for c in self.constants {
+            let _ = writeln!(
+                text,
+                "layout(constant_id = {}) const uint {} = {}u;",
+                c.id, c.name, c.default
+            );
+        }
+        // More groups than one axis holds are dispatched in two.
+        let _ = writeln!(
+            text,
+            "uint kernel_invocation() {{\n    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x \
+             + gl_WorkGroupID.x;\n    return group * {}u + gl_LocalInvocationID.x;\n}}",
+            self.local_size
+        );
+        text
+    }
+}
+
+/// Values of the constant `COLUMN*_KIND`, and of a column's first word in a table.
+pub mod column_kind {
+    /// Radical inverse in base 2: bits in reverse.
+    pub const REVERSED: u32 = 0;
+    /// Radical inverse by the odometer.
+    pub const ODOMETER: u32 = 1;
+    /// k/N.
+    pub const GRID: u32 = 2;
+    /// Radical inverse, each from its index.
+    pub const RADICAL: u32 = 3;
+}
+
+/// Values of the constant `OUTPUT`.
+pub mod output {
+    /// u0.32 fractions.
+    pub const FRACTIONS: u32 = 0;
+    /// f32 in [0, 1).
+    pub const FLOATS: u32 = 1;
+}
+
+/// Values of the constant `MAP`.
+pub mod map {
+    /// Unit disk, concentric.
+    pub const CONCENTRIC_DISK: u32 = 0;
+    /// Unit disk, polar.
+    pub const POLAR_DISK: u32 = 1;
+    /// Hemisphere, uniform.
+    pub const UNIFORM_HEMISPHERE: u32 = 2;
+    /// Hemisphere, cosine-weighted, concentric.
+    pub const COSINE_HEMISPHERE: u32 = 3;
+    /// Hemisphere, cosine-weighted, polar.
+    pub const COSINE_HEMISPHERE_POLAR: u32 = 4;
+}
+
+/// Words of a column in the table of `generate`, and constants of a column.
+pub const COLUMN_WORDS: u32 = 13;
+
+macro_rules! columns {
+    ($($extra:expr,)* ; $(($index:literal, $prefix:literal)),*) => {
+        &[
+            $($extra,)*
+            $(
+                Constant { id: 16 + $index * 16, name: concat!($prefix, "_KIND"), default: 0 },
+                Constant { id: 17 + $index * 16, name: concat!($prefix, "_BASE"), default: 2 },
+                Constant { id: 18 + $index * 16, name: concat!($prefix, "_DIGITS"), default: 15 },
+                Constant { id: 19 + $index * 16, name: concat!($prefix, "_GROUP_POWER"), default: 32768 },
+                Constant { id: 20 + $index * 16, name: concat!($prefix, "_BASE_MAGIC"), default: 1 },
+                Constant { id: 21 + $index * 16, name: concat!($prefix, "_BASE_SHIFT"), default: 0 },
+                Constant { id: 22 + $index * 16, name: concat!($prefix, "_POWER_MAGIC"), default: 1 },
+                Constant { id: 23 + $index * 16, name: concat!($prefix, "_POWER_SHIFT"), default: 14 },
+                Constant { id: 24 + $index * 16, name: concat!($prefix, "_POWER"), default: 1 },
+                Constant { id: 25 + $index * 16, name: concat!($prefix, "_QUOTIENT"), default: 0 },
+                Constant { id: 26 + $index * 16, name: concat!($prefix, "_REMAINDER"), default: 0 },
+                Constant { id: 27 + $index * 16, name: concat!($prefix, "_MAGIC"), default: 1 },
+                Constant { id: 28 + $index * 16, name: concat!($prefix, "_SHIFT"), default: 0 },
+            )*
+        ]
+    };
+}
+
+const OUTPUT: Constant = Constant {
+    id: 0,
+    name: "OUTPUT",
+    default: output::FLOATS,
+};
+const MAP: Constant = Constant {
+    id: 1,
+    name: "MAP",
+    default: map::COSINE_HEMISPHERE,
+};
+const WITH_PDF: Constant = Constant {
+    id: 2,
+    name: "WITH_PDF",
+    default: 0,
+};
+const TILE: Constant = Constant {
+    id: 3,
+    name: "TILE",
+    default: 16,
+};
+const DIMENSIONS: Constant = Constant {
+    id: 4,
+    name: "DIMENSIONS",
+    default: 1,
+};
+const FUNCTION: Constant = Constant {
+    id: 5,
+    name: "FUNCTION",
+    default: 0,
+};
+const INDEXED: Constant = Constant {
+    id: 6,
+    name: "INDEXED",
+    default: 0,
+};
+
+const RESULTS: Binding = Binding {
+    binding: 0,
+    name: "results",
+    element: Element::Uvec4,
+};
+const COLUMNS: Binding = Binding {
+    binding: 1,
+    name: "columns",
+    element: Element::Uint,
+};
+const POINTS: Binding = Binding {
+    binding: 1,
+    name: "points",
+    element: Element::Uvec4,
+};
+const ARGUMENTS: Binding = Binding {
+    binding: 1,
+    name: "arguments",
+    element: Element::Uvec4,
+};
+
+const WORK: &[Member] = WorkPush::MEMBERS;
+
+const fn tile(
+    name: &'static str,
+    defines: &'static [(&'static str, &'static str)],
+    constants: &'static [Constant],
+) -> Kernel {
+    Kernel {
+        name,
+        source: "generate_tile.comp",
+        defines,
+        local_size: 64,
+        push: WORK,
+        bindings: &[RESULTS],
+        constants,
+        profile: Profile::Integer,
+    }
+}
+
+const fn directions(
+    name: &'static str,
+    source: &'static str,
+    defines: &'static [(&'static str, &'static str)],
+    bindings: &'static [Binding],
+    constants: &'static [Constant],
+    profile: Profile,
+) -> Kernel {
+    Kernel {
+        name,
+        source,
+        defines,
+        local_size: 64,
+        push: WORK,
+        bindings,
+        constants,
+        profile,
+    }
+}
+
+const fn evaluate(
+    name: &'static str,
+    defines: &'static [(&'static str, &'static str)],
+    profile: Profile,
+) -> Kernel {
+    Kernel {
+        name,
+        source: "evaluate.comp",
+        defines,
+        local_size: 64,
+        push: WORK,
+        bindings: &[RESULTS, ARGUMENTS],
+        constants: &[FUNCTION, INDEXED],
+        profile,
+    }
+}
+
+/// Every stock kernel.
+pub const KERNELS: &[Kernel] = &[
+    Kernel {
+        name: "generate",
+        source: "generate.comp",
+        defines: &[],
+        local_size: 64,
+        push: WORK,
+        bindings: &[RESULTS, COLUMNS],
+        constants: &[OUTPUT, DIMENSIONS],
+        profile: Profile::Integer,
+    },
+    tile(
+        "generate_tile_1",
+        &[("TILE_COLUMNS", "1")],
+        columns!(OUTPUT, TILE,; (0, "COLUMN0")),
+    ),
+    tile(
+        "generate_tile_2",
+        &[("TILE_COLUMNS", "2")],
+        columns!(OUTPUT, TILE,; (0, "COLUMN0"), (1, "COLUMN1")),
+    ),
+    tile(
+        "generate_tile_3",
+        &[("TILE_COLUMNS", "3")],
+        columns!(OUTPUT, TILE,; (0, "COLUMN0"), (1, "COLUMN1"), (2, "COLUMN2")),
+    ),
+    tile(
+        "generate_tile_4",
+        &[("TILE_COLUMNS", "4")],
+        columns!(OUTPUT, TILE,; (0, "COLUMN0"), (1, "COLUMN1"), (2, "COLUMN2"), (3, "COLUMN3")),
+    ),
+    directions(
+        "map",
+        "map.comp",
+        &[],
+        &[RESULTS, POINTS],
+        &[MAP, WITH_PDF],
+        Profile::Integer,
+    ),
+    directions(
+        "map_native",
+        "map.comp",
+        &[("KERNEL_NATIVE", "1")],
+        &[RESULTS, POINTS],
+        &[MAP, WITH_PDF],
+        Profile::Native,
+    ),
+    directions(
+        "fused",
+        "fused.comp",
+        &[("TILE_COLUMNS", "2")],
+        &[RESULTS],
+        columns!(MAP, WITH_PDF, TILE,; (0, "COLUMN0"), (1, "COLUMN1")),
+        Profile::Integer,
+    ),
+    directions(
+        "fused_native",
+        "fused.comp",
+        &[("TILE_COLUMNS", "2"), ("KERNEL_NATIVE", "1")],
+        &[RESULTS],
+        columns!(MAP, WITH_PDF, TILE,; (0, "COLUMN0"), (1, "COLUMN1")),
+        Profile::Native,
+    ),
+    Kernel {
+        name: "irradiance",
+        source: "irradiance.comp",
+        defines: &[],
+        local_size: 64,
+        push: IrradiancePush::MEMBERS,
+        bindings: &[
+            RESULTS,
+            Binding {
+                binding: 1,
+                name: "texels",
+                element: Element::Uint,
+            },
+            Binding {
+                binding: 2,
+                name: "edges",
+                element: Element::Uint,
+            },
+        ],
+        constants: &[],
+        profile: Profile::Integer,
+    },
+    evaluate("evaluate", &[], Profile::Integer),
+    evaluate(
+        "evaluate_portable",
+        &[("CORPUT_PORTABLE", "1")],
+        Profile::Integer,
+    ),
+    evaluate("evaluate_frame", &[("KERNEL_FRAME", "1")], Profile::Float),
+    evaluate(
+        "evaluate_native",
+        &[("KERNEL_NATIVE", "1")],
+        Profile::Native,
+    ),
+    Kernel {
+        name: "probe",
+        source: "probe.comp",
+        defines: &[],
+        local_size: 64,
+        push: &[],
+        bindings: &[
+            Binding {
+                binding: 0,
+                name: "arguments",
+                element: Element::Uint,
+            },
+            Binding {
+                binding: 1,
+                name: "results",
+                element: Element::Uint,
+            },
+        ],
+        constants: &[],
+        profile: Profile::Probe,
+    },
+];

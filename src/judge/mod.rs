@@ -1,0 +1,26 @@
+//! The slow judge of both twins: exact rationals in 128 bits and `f64`, written from
+//! the definitions and sharing no code with [`crate::reference`].
+//!
+//! `f64` carries 53 bits, 29 more than the results it judges, so its own error moves a
+//! ULP figure by less than 2^-28.
+
+mod functions;
+mod maps;
+
+pub use functions::{atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sqrt};
+pub use maps::{
+    concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
+    uniform_hemisphere,
+};
+
+/// The distance from `truth` to `got` in units of the last place of the float nearest
+/// to `truth`; zero counts the smallest normal float as its unit.
+#[must_use]
+pub fn ulp_error(got: f32, truth: f64) -> f64 {
+    if f64::from(got) == truth {
+        return 0.0;
+    }
+    let magnitude = truth.abs().max(f64::from(f32::MIN_POSITIVE));
+    let exponent = (magnitude.to_bits() >> 52) as i32 - 1023;
+    (f64::from(got) - truth).abs() / f64::powi(2.0, exponent - 23)
+}

@@ -1,0 +1,32 @@
+//! CPU reference: the Rust twin of every GLSL header, with the same names (less the
+//! `corput_` prefix), the same order and the same bits.
+//!
+//! Porting rules between the two languages:
+//!
+//! | GLSL | Rust |
+//! |---|---|
+//! | `uint` `+ - *` wrap | `wrapping_add` and so on, wherever a wrap can happen |
+//! | `uvec2(low, high)` | [`glam::UVec2`] |
+//! | `x >> s`, `s < 32` | `x >> s` |
+//! | `uint(i)`, `int(u)` | `as u32`, `as i32` (the bits stay) |
+//! | `floatBitsToUint` | `f32::to_bits` |
+//! | `uint(bool)` | `u32::from` |
+//! | hook macro | a parameter or a table |
+//!
+//! [`native`] twins the native profile, whose bits depend on the device; only its
+//! formulas are mirrored.
+
+pub mod bits;
+pub mod disk;
+pub mod elementary;
+pub mod envmap;
+pub mod fixed;
+pub mod frame;
+pub mod halton;
+pub mod hammersley;
+pub mod hemisphere;
+pub mod native;
+pub mod odometer;
+pub mod primes;
+pub mod radical_inverse;
+pub mod unit;

@@ -1,0 +1,67 @@
+//! What the radical inverse and the odometer need of a base: multipliers and shifts
+//! that replace division.
+
+use crate::reference::odometer::OdometerBase;
+use crate::reference::radical_inverse::Base;
+
+/// Multiplier and shift for division of any `u32` by `d >= 2`: with t = mulhi(x, m),
+/// floor(x / d) = (t + ((x - t) >> 1)) >> s.
+///
+/// Granlund and Montgomery 1994, figure 4.1.
+fn division_magic(d: u32) -> (u32, u32) {
+    let bits = 32 - (d - 1).leading_zeros();
+    let magic = ((1u64 << 32) * ((1u64 << bits) - u64::from(d)) / u64::from(d) + 1) as u32;
+    (magic, bits - 1)
+}
+
+/// What the radical inverse in this base needs, for 2 <= base <= 65535.
+#[must_use]
+pub fn radical_base(base: u32) -> Base {
+    let mut digits = 1;
+    let mut power = base;
+    while power * base <= 65535 {
+        power *= base;
+        digits += 1;
+    }
+    let (base_magic, base_shift) = division_magic(base);
+    let (power_magic, power_shift) = division_magic(power);
+    Base {
+        base,
+        digits,
+        power,
+        base_magic,
+        base_shift,
+        power_magic,
+        power_shift,
+    }
+}
+
+/// The largest power of a base for which the odometer's products fit in 32 bits.
+const ODOMETER_LIMIT: u32 = 181;
+
+/// What the odometer in this base needs for windows of `window` indices; `None` for
+/// base 2, which has no use for it, and where no power of the base fits.
+#[must_use]
+pub fn odometer_base(base: u32, window: u32) -> Option<OdometerBase> {
+    let mut power = base;
+    let mut digits = 1;
+    while power < window {
+        power = power.checked_mul(base)?;
+        digits += 1;
+    }
+    if base < 3 || power > ODOMETER_LIMIT || digits > 3 {
+        return None;
+    }
+    // x < power (power + 1): with 2^shift >= power^2 (power + 1), the error of
+    // magic = ceil(2^shift / power) stays below 1 / power.
+    let shift = 64 - (u64::from(power).pow(2) * u64::from(power + 1) - 1).leading_zeros();
+    let magic = ((1u64 << shift).div_ceil(u64::from(power))) as u32;
+    Some(OdometerBase {
+        radical: radical_base(base),
+        power,
+        quotient: ((1u64 << 32) / u64::from(power)) as u32,
+        remainder: ((1u64 << 32) % u64::from(power)) as u32,
+        magic,
+        shift,
+    })
+}
