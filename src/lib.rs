@@ -4,6 +4,7 @@ pub mod error;
 pub mod interface;
 pub mod judge;
 pub mod reference;
+pub mod spirv;
 pub mod tables;
 pub mod variant;
 
