@@ -1,5 +1,7 @@
 //! `corput`: a sampling toolkit for Vulkan compute.
 
+#[cfg(feature = "gpu")]
+pub mod compile;
 pub mod error;
 pub mod interface;
 pub mod judge;
@@ -10,3 +12,12 @@ pub mod variant;
 
 pub use error::{Error, Result};
 pub use glam;
+
+/// The GLSL headers: include name (`corput/sobol.glsl`) and text.
+///
+/// An engine writes them where its shader compiler looks for includes, or hands them to
+/// its include callback.
+#[must_use]
+pub fn headers() -> &'static [(&'static str, &'static str)] {
+    include!(concat!(env!("OUT_DIR"), "/headers.rs"))
+}

@@ -34,24 +34,29 @@ pub fn sqrt(x: f32) -> f32 {
     f64::from(x).sqrt() as f32
 }
 
-/// The correctly rounded quotient; results below 2^-126 are zero.
+/// The quotient rounded to 24 bits; below 2^-126 it is zero.
 #[must_use]
 pub fn divide(x: f32, y: f32) -> f32 {
-    without_denormals((f64::from(x) / f64::from(y)) as f32)
+    round(f64::from(x) / f64::from(y))
 }
 
-/// The correctly rounded product; results below 2^-126 are zero.
+/// The product rounded to 24 bits; below 2^-126 it is zero.
 #[must_use]
 pub fn multiply(x: f32, y: f32) -> f32 {
-    without_denormals((f64::from(x) * f64::from(y)) as f32)
+    round(f64::from(x) * f64::from(y))
 }
 
-fn without_denormals(x: f32) -> f32 {
-    if x.is_subnormal() {
-        0f32.copysign(x)
-    } else {
-        x
+/// Rounds as if the exponent were unbounded below, then drops what is below 2^-126.
+fn round(x: f64) -> f32 {
+    let up = f64::powi(2.0, 100);
+    if x.abs() < f64::from(f32::MIN_POSITIVE) {
+        let rounded = f64::from((x * up) as f32) / up;
+        if rounded.abs() < f64::from(f32::MIN_POSITIVE) {
+            return 0f32.copysign(x as f32);
+        }
+        return rounded as f32;
     }
+    x as f32
 }
 
 /// ceil(2^32 phi_b(n)) as a rational: reversed digits over b^m, in 128 bits.

@@ -53,11 +53,11 @@ const ALLOWANCES: &[Allowance] = &[
     allow("corput_unit_floor", ExactFloat, &["ConvertUToF", "FMul"], "24 bits times a power of two"),
     allow("corput_unit_ceil", ExactFloat, &["ConvertUToF", "FMul"], "24 bits times a power of two"),
     allow("corput_seed_sqrt", Seed, &["ConvertUToF", "GLSL.std.450 Sqrt", "FMul", "ConvertFToU"], "corrected by the residual in integers"),
-    allow("corput_seed_quotient", Seed, &["ConvertUToF", "FDiv", "FMul", "FAdd", "ConvertFToU"], "corrected by the residual in integers"),
-    allow("corput_seed_step", Seed, &["ConvertSToF", "ConvertUToF", "FDiv", "FAdd", "FMul", "ConvertFToS", "GLSL.std.450 Floor"], "corrected by the residual in integers"),
+    allow("corput_seed_divide", Seed, &["ConvertUToF", "FDiv", "FMul", "ConvertFToU"], "corrected by the residual in integers"),
+    allow("corput_seed_quotient", Seed, &["ConvertUToF", "FDiv", "FMul", "ConvertFToU"], "corrected by the residual in integers"),
+    allow("corput_seed_step", Seed, &["ConvertSToF", "ConvertUToF", "FDiv", "ConvertFToS", "GLSL.std.450 Floor"], "corrected by the residual in integers"),
     allow("corput_frame", TierF, ADD_SUB_MUL, "no intermediate is denormal"),
-    allow("corput_frame_to_world", TierF, ADD_SUB_MUL, "no intermediate is denormal"),
-    allow("corput_frame_to_local", TierF, ADD_SUB_MUL, "no intermediate is denormal"),
+    allow("corput_frame_combine", TierF, ADD_SUB_MUL, "no intermediate is denormal"),
 ];
 
 /// What tier F may do.

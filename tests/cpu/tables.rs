@@ -1,0 +1,34 @@
+//! Committed files against the tables that generate them.
+
+use corput::tables::{PRIMES, is_prime, nearest_prime, primes_glsl};
+
+#[test]
+fn primes_glsl_is_what_the_table_generates() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/shaders/corput/primes.glsl");
+    if std::env::var_os("CORPUT_WRITE_TABLES").is_some() {
+        std::fs::write(path, primes_glsl()).expect("the table is written");
+    }
+    let committed = std::fs::read_to_string(path).expect("the header is there");
+    assert!(
+        committed == primes_glsl(),
+        "run `CORPUT_WRITE_TABLES=1 cargo test --test tables`"
+    );
+}
+
+#[test]
+fn primes_are_the_first_1024() {
+    let mut n = 0;
+    for p in PRIMES {
+        n += 1;
+        while !(2..n).take_while(|d| d * d <= n).all(|d| n % d != 0) || n < 2 {
+            n += 1;
+        }
+        assert_eq!(p, n);
+        assert!(is_prime(p.into()));
+    }
+    assert_eq!(n, 8161);
+    assert!(!is_prime(1) && !is_prime(0) && !is_prime(8161 * 8161));
+    assert_eq!(nearest_prime(9), 7);
+    assert_eq!(nearest_prime(0), 2);
+    assert_eq!(nearest_prime(u64::MAX), 8161);
+}
