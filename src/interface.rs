@@ -198,6 +198,17 @@ impl Kernel {
     }
 }
 
+/// What one column of the points is. All columns are fractions of 2^32.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Column {
+    /// The radical inverse in base 2.
+    Reversed,
+    /// The radical inverse in an odd prime base.
+    Radical(u32),
+    /// k/N, for N up to 2^32.
+    Grid(u64),
+}
+
 /// Values of the constant `COLUMN*_KIND`, and of a column's first word in a table.
 pub mod column_kind {
     /// Radical inverse in base 2: bits in reverse.

@@ -1,5 +1,7 @@
 //! `corput`: a sampling toolkit for Vulkan compute.
 
+pub mod bulk;
+pub mod catalog;
 #[cfg(feature = "gpu")]
 pub mod compile;
 pub mod error;

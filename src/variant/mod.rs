@@ -1,5 +1,7 @@
 //! Every stripping decision, from a plain description of the work.
 
 mod bases;
+mod plan;
 
 pub use bases::{odometer_base, radical_base};
+pub use plan::{Plan, Work, general, plan};

@@ -1,0 +1,154 @@
+//! One row per function that a device can be asked to evaluate.
+
+use super::Tier;
+
+/// What a function's arguments are, which decides how inputs are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// One 32-bit word: strided over its whole range, and edges.
+    Word,
+    /// Several words: all pairs of edges, and random ones.
+    Words,
+    /// One float.
+    Float,
+    /// Two floats.
+    Floats,
+    /// n and a prime base.
+    Radical,
+    /// k < N.
+    Grid,
+    /// A unit vector, and a word.
+    Direction,
+}
+
+/// A row of the catalogue.
+#[derive(Clone, Copy, Debug)]
+pub struct Function {
+    /// Its name: that of the GLSL function without `corput_`, or of the group.
+    pub name: &'static str,
+    /// The header.
+    pub header: &'static str,
+    /// The kernel that evaluates it.
+    pub kernel: &'static str,
+    /// Value of the kernel's constant `FUNCTION`.
+    pub id: u32,
+    /// Its arguments.
+    pub kind: Kind,
+    /// Where its bits are promised.
+    pub tier: Tier,
+    /// Worst error against the judge, in ULP of float or in the unit named; `None` for
+    /// integers, which are exact.
+    pub bound: Option<f64>,
+    /// Unit of the bound and of the measured error.
+    pub unit: &'static str,
+}
+
+const fn integer(name: &'static str, header: &'static str, id: u32, kind: Kind) -> Function {
+    Function {
+        name,
+        header,
+        kernel: "evaluate",
+        id,
+        kind,
+        tier: Tier::Integer,
+        bound: None,
+        unit: "",
+    }
+}
+
+const fn float(
+    name: &'static str,
+    header: &'static str,
+    id: u32,
+    kind: Kind,
+    bound: f64,
+    unit: &'static str,
+) -> Function {
+    Function {
+        name,
+        header,
+        kernel: "evaluate",
+        id,
+        kind,
+        tier: Tier::Integer,
+        bound: Some(bound),
+        unit,
+    }
+}
+
+const fn frame(name: &'static str, id: u32, bound: f64) -> Function {
+    Function {
+        name,
+        header: "frame",
+        kernel: "evaluate_frame",
+        id,
+        kind: Kind::Direction,
+        tier: Tier::Float,
+        bound: Some(bound),
+        unit: "2^-24",
+    }
+}
+
+/// Every function of the exact profile.
+pub const FUNCTIONS: &[Function] = &[
+    integer("mul64", "fixed", 0, Kind::Words),
+    integer("add64", "fixed", 1, Kind::Words),
+    integer("shl64", "fixed", 2, Kind::Words),
+    integer("fixed64", "fixed", 3, Kind::Floats),
+    float("unit", "unit", 4, Kind::Word, 0.0, "ULP"),
+    float("cos_sin", "elementary", 5, Kind::Word, 0.53, "ULP"),
+    float("sqrt", "elementary", 6, Kind::Float, 0.5, "ULP"),
+    float("divide", "elementary", 7, Kind::Floats, 0.5, "ULP"),
+    float("multiply", "elementary", 8, Kind::Floats, 0.5, "ULP"),
+    float("atan2", "elementary", 9, Kind::Floats, 2.0, "2^-32 turn"),
+    integer("ratio", "elementary", 10, Kind::Words),
+    integer("radical_inverse", "radical_inverse", 11, Kind::Radical),
+    integer("hammersley", "hammersley", 12, Kind::Grid),
+    float("concentric_disk", "disk", 13, Kind::Words, 0.6, "ULP"),
+    float("polar_disk", "disk", 14, Kind::Words, 1.6, "ULP"),
+    float(
+        "uniform_hemisphere",
+        "hemisphere",
+        15,
+        Kind::Words,
+        1.6,
+        "ULP",
+    ),
+    float(
+        "cosine_hemisphere",
+        "hemisphere",
+        16,
+        Kind::Words,
+        0.6,
+        "ULP",
+    ),
+    float(
+        "cosine_hemisphere_polar",
+        "hemisphere",
+        17,
+        Kind::Words,
+        1.6,
+        "ULP",
+    ),
+    float("disk_invert", "disk", 18, Kind::Direction, 4096.0, "2^-32"),
+    float(
+        "hemisphere_invert",
+        "hemisphere",
+        19,
+        Kind::Direction,
+        4096.0,
+        "2^-32",
+    ),
+    float(
+        "hemisphere_polar_invert",
+        "hemisphere",
+        20,
+        Kind::Direction,
+        4096.0,
+        "2^-32",
+    ),
+    frame("frame_tangent", 0, 8.0),
+    frame("frame_bitangent", 1, 8.0),
+    frame("frame_to_world", 2, 16.0),
+    frame("frame_to_local", 3, 16.0),
+];

@@ -1,0 +1,65 @@
+//! What there is: sequences, maps, and one row per function, as plain data.
+
+mod functions;
+mod map;
+mod names;
+mod request;
+mod sequence;
+
+pub use functions::{FUNCTIONS, Function, Kind};
+pub use map::{MAPS, Map};
+pub use names::unknown;
+pub use request::{Engine, Options, Output, Request};
+pub use sequence::{SEQUENCES, Sequence};
+
+/// Where bits are promised to be the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tier {
+    /// Integers and exactly representable floats: every conformant device.
+    Integer,
+    /// Float + - * besides: devices whose probe finds rounding to nearest even.
+    Float,
+}
+
+impl Tier {
+    /// `I` or `F`.
+    #[must_use]
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::Integer => "I",
+            Self::Float => "F",
+        }
+    }
+}
+
+/// Whose functions a map uses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Profile {
+    /// This crate's: the same bits everywhere.
+    #[default]
+    Exact,
+    /// The device's own: its bits, within Vulkan's precision tables.
+    Native,
+}
+
+impl Profile {
+    /// The name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Native => "native",
+        }
+    }
+
+    /// The profile with this name.
+    ///
+    /// # Errors
+    /// [`crate::Error::UnknownName`].
+    pub fn from_name(name: &str) -> crate::Result<Self> {
+        [Self::Exact, Self::Native]
+            .into_iter()
+            .find(|profile| profile.name() == name)
+            .ok_or_else(|| unknown("profile", name, &["exact", "native"]))
+    }
+}
