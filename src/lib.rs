@@ -11,6 +11,7 @@ pub mod reference;
 pub mod spirv;
 pub mod tables;
 pub mod variant;
+pub mod report;
 
 pub use error::{Error, Result};
 pub use glam;

@@ -1,0 +1,123 @@
+//! The file formats, by name and by file ending.
+
+use std::path::Path;
+use std::str::FromStr;
+
+use crate::error::{Error, Result};
+
+/// How the data is laid out in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// NumPy's `.npy`, version 1.0, with the data at byte 4096 (ending `.npy`).
+    Npy,
+    /// Little-endian words and nothing else, described by `FILE.json` beside it
+    /// (endings `.raw`, `.bin`).
+    Raw,
+    /// Text with the header `x0,x1,...` (ending `.csv`).
+    Csv,
+}
+
+/// Each name and the endings that stand for it.
+const FORMATS: [(Format, &str, &[&str]); 3] = [
+    (Format::Npy, "npy", &["npy"]),
+    (Format::Raw, "raw", &["raw", "bin"]),
+    (Format::Csv, "csv", &["csv"]),
+];
+
+impl Format {
+    /// The name that `--format` takes.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Npy => "npy",
+            Self::Raw => "raw",
+            Self::Csv => "csv",
+        }
+    }
+
+    /// The format that a file's ending stands for, in upper or lower case.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::UnknownName`] for any other ending, or none.
+    pub fn from_path(path: &Path) -> Result<Self> {
+        let ending = path
+            .extension()
+            .map(|e| e.to_string_lossy().to_ascii_lowercase());
+        let found = FORMATS
+            .iter()
+            .find(|(_, _, endings)| ending.as_deref().is_some_and(|e| endings.contains(&e)));
+        if let Some((format, ..)) = found {
+            return Ok(*format);
+        }
+        let name = match &ending {
+            Some(ending) => format!(".{ending}"),
+            None => path.display().to_string(),
+        };
+        let endings = FORMATS.iter().flat_map(|row| row.2).copied();
+        Err(Error::UnknownName {
+            kind: "format",
+            nearest: ending
+                .as_deref()
+                .and_then(|e| nearest(e, endings))
+                .map(|e| format!(".{e}")),
+            name,
+            known: "the file endings .npy, .raw, .bin and .csv; or give --format npy, raw or csv"
+                .to_owned(),
+        })
+    }
+}
+
+impl FromStr for Format {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        if let Some((format, ..)) = FORMATS.iter().find(|(_, known, _)| *known == name) {
+            return Ok(*format);
+        }
+        Err(Error::UnknownName {
+            kind: "format",
+            name: name.to_owned(),
+            nearest: nearest(&name.to_ascii_lowercase(), FORMATS.iter().map(|row| row.1))
+                .map(str::to_owned),
+            known: "npy, raw, csv".to_owned(),
+        })
+    }
+}
+
+impl std::fmt::Display for Format {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The first candidate that is one edit away, or of which one begins the
+/// other. Names of three letters allow no more.
+fn nearest(name: &str, candidates: impl Iterator<Item = &'static str>) -> Option<&'static str> {
+    let near = |candidate: &&'static str| {
+        !name.is_empty()
+            && (name.starts_with(*candidate)
+                || candidate.starts_with(name)
+                || one_edit(name, candidate))
+    };
+    candidates.into_iter().find(near)
+}
+
+/// Whether one insertion, deletion, replacement or swap of neighbours makes
+/// `a` out of `b`, or they are equal.
+fn one_edit(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let same_before = a.iter().zip(b).take_while(|(x, y)| x == y).count();
+    let (a, b) = (&a[same_before..], &b[same_before..]);
+    let same_after = a
+        .iter()
+        .rev()
+        .zip(b.iter().rev())
+        .take_while(|(x, y)| x == y)
+        .count();
+    let (a, b) = (&a[..a.len() - same_after], &b[..b.len() - same_after]);
+    match (a, b) {
+        ([p, q], [r, s]) => p == s && q == r,
+        _ => a.len() <= 1 && b.len() <= 1,
+    }
+}

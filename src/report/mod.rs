@@ -1,0 +1,92 @@
+//! Results to bytes: `.npy`, raw with a JSON sidecar, and CSV, into a file or
+//! standard output.
+//!
+//! A [`Sink`] takes rows of 32-bit words in chunks of any size. A file is
+//! written beside its final name and renamed at the end, so a run that dies
+//! leaves nothing under that name, and what stood there before stays whole.
+//! Memory use does not grow with the number of rows.
+//!
+//! ```
+//! use corput::report::{Element, Format, Layout, Sink, Target};
+//!
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("points.npy");
+//! let layout = Layout { rows: 2, columns: 2, element: Element::F32 };
+//! let mut sink = Sink::open(&Target::File(path.clone()), Format::Npy, layout, serde_json::Value::Null)?;
+//! sink.write(&[0.0f32, 0.0, 0.5, 1.0 / 3.0].map(f32::to_bits))?;
+//! let summary = sink.finish()?;
+//! assert_eq!(summary.bytes, 4096 + 16);
+//! assert_eq!(std::fs::metadata(&path).unwrap().len(), summary.bytes);
+//! # Ok::<(), corput::Error>(())
+//! ```
+
+mod encode;
+mod format;
+mod place;
+mod sink;
+
+pub use encode::{NPY_DATA_OFFSET, npy_header};
+pub use format::Format;
+pub use place::Target;
+pub use sink::{Sink, Summary};
+
+use crate::error::{Error, Result};
+
+/// What a 32-bit word of the data is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Element {
+    /// An unsigned integer, such as a u0.32 fraction.
+    U32,
+    /// An IEEE single, handed over as its bits.
+    F32,
+}
+
+impl Element {
+    /// NumPy's name of the type, little-endian: `<u4` or `<f4`.
+    #[must_use]
+    pub const fn descr(self) -> &'static str {
+        match self {
+            Self::U32 => "<u4",
+            Self::F32 => "<f4",
+        }
+    }
+}
+
+/// Shape and type of the data: `rows` x `columns`, row-major.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// Number of rows: points, directions. May be 0.
+    pub rows: u64,
+    /// Words in a row: at least 1.
+    pub columns: u32,
+    /// What each word is.
+    pub element: Element,
+}
+
+impl Layout {
+    /// Number of words, if it and its bytes can be counted in 64 bits.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Arguments`] for no columns, or for more than 2^61 words.
+    pub fn words(&self) -> Result<u64> {
+        let refused = |limit: &str, remedy: &str| Error::Arguments {
+            asked: format!(
+                "an array of {} rows and {} columns",
+                self.rows, self.columns
+            ),
+            limit: limit.to_owned(),
+            remedy: remedy.to_owned(),
+        };
+        if self.columns == 0 {
+            return Err(refused(
+                "a row has at least one column",
+                "ask for one dimension or more",
+            ));
+        }
+        self.rows
+            .checked_mul(u64::from(self.columns))
+            .filter(|words| *words <= 1 << 61)
+            .ok_or_else(|| refused("an array has at most 2^61 words", "ask for fewer rows"))
+    }
+}

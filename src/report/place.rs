@@ -1,0 +1,295 @@
+//! Where the bytes go, and how a file comes to its name all at once.
+
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use super::Format;
+use crate::error::{Error, Result};
+
+/// Where results go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A file. What it holds is replaced when all is written, not before.
+    /// A device or pipe that is already there is written in place.
+    File(PathBuf),
+    /// Standard output.
+    Stdout,
+}
+
+impl<P: Into<PathBuf>> From<P> for Target {
+    /// `-` is standard output, all else a file.
+    fn from(path: P) -> Self {
+        let path = path.into();
+        if path.as_os_str() == "-" {
+            Self::Stdout
+        } else {
+            Self::File(path)
+        }
+    }
+}
+
+/// An open destination.
+pub(super) enum Place {
+    /// Written aside; `commit` gives it its name.
+    Aside(Aside),
+    /// A device or a pipe, which has no name to take over.
+    Device(File),
+    Stdout(io::Stdout),
+}
+
+impl Place {
+    /// Opens the target and returns it with the path that messages name.
+    pub(super) fn open(target: &Target, format: Format) -> Result<(Self, PathBuf)> {
+        match target {
+            Target::Stdout => {
+                let out = io::stdout();
+                let path = PathBuf::from("standard output");
+                if format != Format::Csv && out.is_terminal() {
+                    return Err(refused(
+                        &path,
+                        "it is a terminal, and the data is binary",
+                        "redirect it, or use --format csv",
+                    ));
+                }
+                Ok((Self::Stdout(out), path))
+            }
+            Target::File(path) => {
+                let place = match existing(path)? {
+                    Existing::Device => Self::Device(
+                        OpenOptions::new()
+                            .write(true)
+                            .open(path)
+                            .map_err(|e| cannot_create(path, path, &e))?,
+                    ),
+                    Existing::File(real) => Self::Aside(Aside::create(path, real)?),
+                };
+                Ok((place, path.clone()))
+            }
+        }
+    }
+}
+
+impl Write for Place {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Aside(aside) => aside.file.write(bytes),
+            Self::Device(file) => file.write(bytes),
+            Self::Stdout(out) => out.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Aside(_) | Self::Device(_) => Ok(()),
+            Self::Stdout(out) => out.flush(),
+        }
+    }
+}
+
+/// A file under a temporary name beside its final one. Dropping it without
+/// [`Aside::commit`] removes it.
+pub(super) struct Aside {
+    file: File,
+    partial: PathBuf,
+    /// The final name, symbolic links resolved.
+    real: PathBuf,
+    /// The final name as the user gave it.
+    asked: PathBuf,
+    committed: bool,
+}
+
+impl Aside {
+    /// Creates `.NAME.PID.partial` in the folder of `real`.
+    fn create(asked: &Path, real: PathBuf) -> Result<Self> {
+        let mut name = OsString::from(".");
+        name.push(real.file_name().unwrap_or_default());
+        name.push(format!(".{}.partial", std::process::id()));
+        let partial = real.with_file_name(name);
+        let file = OpenOptions::new()
+            .write(true)
+            .create_new(true)
+            .open(&partial)
+            .map_err(|e| cannot_create(asked, &partial, &e))?;
+        Ok(Self {
+            file,
+            partial,
+            real,
+            asked: asked.to_owned(),
+            committed: false,
+        })
+    }
+
+    /// The same for `FILE.json`, to go beside this file.
+    pub(super) fn sidecar(&self) -> Result<Self> {
+        let mut name = OsString::from(&self.real);
+        name.push(".json");
+        let asked = PathBuf::from(name);
+        match existing(&asked)? {
+            Existing::File(real) => Self::create(&asked, real),
+            Existing::Device => Err(refused(
+                &asked,
+                "it is no regular file",
+                "give the output another name",
+            )),
+        }
+    }
+
+    /// The final name, symbolic links resolved.
+    pub(super) fn real(&self) -> &Path {
+        &self.real
+    }
+
+    /// Writes all bytes, for small files.
+    pub(super) fn fill(&mut self, bytes: &[u8]) -> Result<()> {
+        self.file
+            .write_all(bytes)
+            .map_err(|e| failed("write", &self.asked, e))
+    }
+
+    /// Waits until the bytes are on the disk.
+    pub(super) fn sync(&self) -> Result<()> {
+        self.file
+            .sync_all()
+            .map_err(|e| failed("sync", &self.asked, e))
+    }
+
+    /// Gives the file its final name; call [`Aside::sync`] before.
+    pub(super) fn commit(mut self) -> Result<()> {
+        fs::rename(&self.partial, &self.real)
+            .map_err(|e| failed("rename the finished file to", &self.asked, e))?;
+        self.committed = true;
+        sync_folder(&self.real).map_err(|e| failed("sync the folder of", &self.asked, e))
+    }
+}
+
+impl Drop for Aside {
+    fn drop(&mut self) {
+        if !self.committed {
+            // Nothing more can be done about a file that will not go.
+            let _ = fs::remove_file(&self.partial);
+        }
+    }
+}
+
+/// What stands under a final name.
+enum Existing {
+    /// A device or pipe.
+    Device,
+    /// A regular file or nothing, under this name without symbolic links.
+    File(PathBuf),
+}
+
+/// Looks at what is there, and refuses what cannot become the output.
+fn existing(path: &Path) -> Result<Existing> {
+    let ends_in_separator = path
+        .as_os_str()
+        .as_encoded_bytes()
+        .last()
+        .is_some_and(|b| std::path::is_separator(char::from(*b)));
+    if path.is_dir() || ends_in_separator || path.file_name().is_none() {
+        return Err(refused(
+            path,
+            "it names a folder",
+            "give the name of a file",
+        ));
+    }
+    match fs::metadata(path) {
+        Ok(found) if !found.is_file() => Ok(Existing::Device),
+        Ok(_) => path
+            .canonicalize()
+            .map(Existing::File)
+            .map_err(|e| cannot_create(path, path, &e)),
+        Err(_) if path.is_symlink() => Err(refused(
+            path,
+            "it is a symbolic link that leads nowhere",
+            "remove the link, or make what it points at",
+        )),
+        // Whatever else is wrong, creating the partial file meets it too.
+        Err(_) => Ok(Existing::File(path.to_owned())),
+    }
+}
+
+fn folder_of(file: &Path) -> &Path {
+    file.parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."))
+}
+
+/// Makes a rename last: it is an entry of the folder.
+#[cfg(unix)]
+fn sync_folder(file: &Path) -> io::Result<()> {
+    match File::open(folder_of(file)).and_then(|f| f.sync_all()) {
+        // Some network and FUSE file systems cannot do this; the rename stands.
+        Err(e)
+            if matches!(
+                e.kind(),
+                io::ErrorKind::InvalidInput
+                    | io::ErrorKind::Unsupported
+                    | io::ErrorKind::PermissionDenied
+            ) =>
+        {
+            Ok(())
+        }
+        result => result,
+    }
+}
+
+#[cfg(not(unix))]
+fn sync_folder(_: &Path) -> io::Result<()> {
+    Ok(())
+}
+
+/// A file operation that failed once work had begun.
+pub(super) fn failed(action: &'static str, path: &Path, source: io::Error) -> Error {
+    Error::Io {
+        action,
+        path: path.to_owned(),
+        source,
+    }
+}
+
+fn refused(path: &Path, problem: impl Into<String>, remedy: impl Into<String>) -> Error {
+    Error::Output {
+        path: path.to_owned(),
+        problem: problem.into(),
+        remedy: remedy.into(),
+    }
+}
+
+/// Why `made` could not be created on behalf of `asked`.
+fn cannot_create(asked: &Path, made: &Path, source: &io::Error) -> Error {
+    let folder = folder_of(made);
+    let shown = folder.display();
+    match source.kind() {
+        io::ErrorKind::NotFound if !folder.exists() => refused(
+            asked,
+            format!("folder {shown} does not exist"),
+            "make it, or give another one",
+        ),
+        io::ErrorKind::NotADirectory => refused(
+            asked,
+            format!("{shown} is not a folder"),
+            "give another folder",
+        ),
+        io::ErrorKind::AlreadyExists => refused(
+            asked,
+            format!(
+                "{} is there, so another run is writing this file or one was killed",
+                made.display()
+            ),
+            "wait for that run, or remove the partial file",
+        ),
+        _ if made == asked => refused(
+            asked,
+            format!("it cannot be opened ({source})"),
+            "choose another file",
+        ),
+        _ => refused(
+            asked,
+            format!("folder {shown} is not writable ({source})"),
+            "choose another folder",
+        ),
+    }
+}
