@@ -1,6 +1,8 @@
 //! `corput`: a sampling toolkit for Vulkan compute.
 
 pub mod error;
+#[cfg(feature = "images")]
+pub mod image;
 pub mod irradiance;
 
 pub use error::{Error, Result};
