@@ -12,6 +12,11 @@ pub mod spirv;
 pub mod tables;
 pub mod variant;
 pub mod report;
+#[cfg(feature = "images")]
+pub mod image;
+pub mod irradiance;
+#[cfg(feature = "images")]
+pub mod plot;
 
 pub use error::{Error, Result};
 pub use glam;

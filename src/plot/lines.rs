@@ -1,0 +1,305 @@
+//! Lines on two logarithmic axes, each labelled at its end.
+
+use crate::error::Result;
+use crate::plot::refuse;
+use crate::plot::svg::{Anchor, Canvas, FAINT, INK, QUIET, text_width};
+
+/// A named line.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Stands at the line's end.
+    pub name: String,
+    /// (x, y), in the order to join them; what is not positive and finite is left out,
+    /// since it has no place on logarithmic axes (an error of exactly 0).
+    pub points: Vec<(f64, f64)>,
+}
+
+/// How lines of error look; start from `Default`.
+#[derive(Clone, Debug)]
+pub struct LinesStyle<'a> {
+    /// Above the figure; may be empty.
+    pub title: &'a str,
+    /// Below the horizontal axis.
+    pub x_label: &'a str,
+    /// Left of the vertical axis.
+    pub y_label: &'a str,
+    /// Width and height of the axes in pixels at scale 1, 160 to 4000.
+    pub size: [f64; 2],
+    /// Guides: a name and the exponent of a power law, drawn dashed through the first
+    /// point of the first series.
+    pub slopes: &'a [(&'a str, f64)],
+}
+
+impl Default for LinesStyle<'_> {
+    fn default() -> Self {
+        Self {
+            title: "",
+            x_label: "N",
+            y_label: "relative error",
+            size: [520.0, 360.0],
+            slopes: &[],
+        }
+    }
+}
+
+/// The palette of Okabe and Ito, without its yellow, which white swallows.
+const COLOURS: [&str; 7] = [
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
+];
+const LEFT: f64 = 78.0;
+const BOTTOM: f64 = 54.0;
+const LABEL_SIZE: f64 = 12.5;
+const LABEL_GAP: f64 = 18.0;
+const LABEL_STEP: f64 = 16.0;
+
+/// Error against work, both logarithmic, as SVG. Powers of two on the horizontal
+/// axis get ticks at powers of two, all else at powers of ten.
+///
+/// # Errors
+///
+/// [`Error::Arguments`](crate::Error::Arguments) if no point is positive and finite, or for
+/// a size out of its range.
+pub fn error_lines(series: &[Series], style: &LinesStyle<'_>) -> Result<String> {
+    let [width, height] = style.size;
+    if !style
+        .size
+        .iter()
+        .all(|side| (160.0..=4000.0).contains(side))
+    {
+        return refuse(
+            format!("axes of {width} x {height} pixels"),
+            "a side has 160 to 4000 pixels",
+            "choose a size in that range",
+        );
+    }
+    let series: Vec<(&str, Vec<(f64, f64)>)> = series
+        .iter()
+        .map(|s| (s.name.as_str(), drawable(&s.points)))
+        .collect();
+    let all = || series.iter().flat_map(|(_, points)| points);
+    let Some(&origin) = all().next() else {
+        return refuse(
+            "a plot of lines".to_owned(),
+            "none has a point with both coordinates positive and finite",
+            "check what was measured",
+        );
+    };
+    let binary = all().all(|&(x, _)| x.log2().fract() == 0.0);
+    let top = if style.title.is_empty() { 22.0 } else { 54.0 };
+    let x = Axis::new(
+        all().map(|p| p.0),
+        if binary { 2.0 } else { 10.0 },
+        [LEFT, LEFT + width],
+        false,
+    );
+    let y = Axis::new(all().map(|p| p.1), 10.0, [top + height, top], true);
+    let names = series
+        .iter()
+        .map(|(name, _)| *name)
+        .chain(style.slopes.iter().map(|s| s.0));
+    let label_width = names
+        .map(|name| text_width(name, LABEL_SIZE))
+        .fold(0.0, f64::max);
+
+    let mut canvas = Canvas::new(
+        LEFT + width + LABEL_GAP + label_width + 10.0,
+        top + height + BOTTOM,
+    );
+    canvas.text(
+        LEFT + width / 2.0,
+        31.0,
+        Anchor::Middle,
+        17.0,
+        INK,
+        style.title,
+    );
+    for (tick, label) in x.ticks(64.0) {
+        canvas.line((tick, top), (tick, top + height), FAINT, 0.8);
+        canvas.text(tick, top + height + 19.0, Anchor::Middle, 12.0, INK, &label);
+    }
+    for (tick, label) in y.ticks(26.0) {
+        canvas.line((LEFT, tick), (LEFT + width, tick), FAINT, 0.8);
+        canvas.text(LEFT - 9.0, tick + 4.3, Anchor::End, 12.0, INK, &label);
+    }
+    let corner = (LEFT, top + height);
+    canvas.line((LEFT, top), corner, INK, 1.2);
+    canvas.line(corner, (LEFT + width, top + height), INK, 1.2);
+    canvas.text(
+        LEFT + width / 2.0,
+        top + height + 42.0,
+        Anchor::Middle,
+        13.0,
+        INK,
+        style.x_label,
+    );
+    canvas.upright(22.0, top + height / 2.0, 13.0, style.y_label);
+
+    let mut labels = Vec::new();
+    for (name, exponent) in style.slopes {
+        if let Some(ends) = guide(origin, *exponent, &x, &y) {
+            canvas.polyline(&ends, "#9a9a9a", 1.1, "5 4");
+            labels.push(Label {
+                name,
+                colour: QUIET,
+                end: ends[1],
+                y: ends[1].1,
+            });
+        }
+    }
+    for (index, (name, points)) in series.iter().enumerate() {
+        let colour = COLOURS[index % COLOURS.len()];
+        let placed: Vec<(f64, f64)> = points
+            .iter()
+            .map(|p| (x.place(p.0), y.place(p.1)))
+            .collect();
+        canvas.polyline(&placed, colour, 1.8, "");
+        for (px, py) in &placed {
+            canvas.marker(*px, *py, index, colour);
+        }
+        if let Some(&end) = placed.last() {
+            labels.push(Label {
+                name,
+                colour,
+                end,
+                y: end.1,
+            });
+        }
+    }
+    spread(&mut labels, top + 6.0, top + height - 6.0);
+    for Label {
+        name,
+        colour,
+        end,
+        y,
+    } in labels
+    {
+        let at = LEFT + width + LABEL_GAP;
+        if (y - end.1).abs() > 3.0 || at - end.0 > LABEL_GAP + 8.0 {
+            canvas.line((end.0 + 6.0, end.1), (at - 4.0, y), "#b8b8b8", 0.8);
+        }
+        canvas.text(at, y + 4.4, Anchor::Start, LABEL_SIZE, colour, name);
+    }
+    Ok(canvas.finish())
+}
+
+fn drawable(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let positive = |v: f64| v.is_finite() && v > 0.0;
+    points
+        .iter()
+        .copied()
+        .filter(|p| positive(p.0) && positive(p.1))
+        .collect()
+}
+
+/// A line's name, where the line ends, and the height at which the name stands.
+struct Label<'a> {
+    name: &'a str,
+    colour: &'static str,
+    end: (f64, f64),
+    y: f64,
+}
+
+/// Moves labels apart, as little as one pass down and one up allow.
+fn spread(labels: &mut [Label<'_>], top: f64, bottom: f64) {
+    labels.sort_by(|a, b| a.y.total_cmp(&b.y));
+    let mut least = top;
+    for label in labels.iter_mut() {
+        label.y = label.y.max(least);
+        least = label.y + LABEL_STEP;
+    }
+    let mut most = bottom;
+    for label in labels.iter_mut().rev() {
+        label.y = label.y.min(most);
+        most = label.y - LABEL_STEP;
+    }
+}
+
+/// The power law through a point, from there to where it leaves the axes.
+fn guide(from: (f64, f64), exponent: f64, x: &Axis, y: &Axis) -> Option<[(f64, f64); 2]> {
+    let (start, level) = (from.0.log10(), from.1.log10());
+    let right = x.high;
+    let mut run = right - start;
+    let room = if exponent < 0.0 {
+        y.low - level
+    } else {
+        y.high - level
+    };
+    if exponent != 0.0 {
+        run = run.min(room / exponent);
+    }
+    let end = (start + run, level + exponent * run);
+    (run > 0.0 && run.is_finite()).then(|| {
+        [
+            (x.place(from.0), y.place(from.1)),
+            (x.place_log(end.0), y.place_log(end.1)),
+        ]
+    })
+}
+
+/// A logarithmic axis: a range of log10 on a range of pixels.
+struct Axis {
+    low: f64,
+    high: f64,
+    pixels: [f64; 2],
+    base: f64,
+}
+
+impl Axis {
+    /// Covers the values; `whole` extends the range to whole powers of the base.
+    fn new(values: impl Iterator<Item = f64>, base: f64, pixels: [f64; 2], whole: bool) -> Self {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for value in values.map(f64::log10) {
+            (low, high) = (low.min(value), high.max(value));
+        }
+        let step = base.log10();
+        if whole {
+            (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
+        }
+        if high - low < step {
+            (low, high) = (low - step / 2.0, high + step / 2.0);
+        }
+        // A little air, so that no marker lies on the frame.
+        let air = if whole { 0.0 } else { 0.02 * (high - low) };
+        Self {
+            low: low - air,
+            high: high + air,
+            pixels,
+            base,
+        }
+    }
+
+    fn place_log(&self, log: f64) -> f64 {
+        let part = (log - self.low) / (self.high - self.low);
+        self.pixels[0] + part * (self.pixels[1] - self.pixels[0])
+    }
+
+    fn place(&self, value: f64) -> f64 {
+        self.place_log(value.log10())
+    }
+
+    /// Pixels and labels of powers of the base, at least `apart` pixels from each other.
+    fn ticks(&self, apart: f64) -> Vec<(f64, String)> {
+        let step = self.base.log10();
+        let pixels = (self.pixels[1] - self.pixels[0]).abs() * step / (self.high - self.low);
+        let every = (apart / pixels).ceil().max(1.0);
+        let first = (self.low / step / every - 1e-9).ceil() as i64;
+        let last = (self.high / step / every + 1e-9).floor() as i64;
+        (first..=last)
+            .map(|i| {
+                let exponent = i as f64 * every;
+                let label = format!("{}{}", self.base, superscript(exponent as i64));
+                (self.place_log(exponent * step), label)
+            })
+            .collect()
+    }
+}
+
+fn superscript(number: i64) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let sign = if number < 0 { "⁻" } else { "" };
+    let digits = number.unsigned_abs().to_string();
+    let raised = digits
+        .bytes()
+        .filter_map(|digit| DIGITS.get(usize::from(digit.wrapping_sub(b'0'))));
+    sign.chars().chain(raised.copied()).collect()
+}
