@@ -9,6 +9,8 @@ pub mod reference;
 pub mod spirv;
 pub mod tables;
 pub mod variant;
+#[cfg(feature = "gpu")]
+pub mod vulkan;
 
 pub use error::{Error, Result};
 pub use glam;
