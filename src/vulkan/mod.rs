@@ -1,5 +1,5 @@
-//! The Vulkan host: devices, buffers, compute pipelines, and dispatches.
-//! It knows no sampling words.
+//! The Vulkan host: devices, buffers, compute pipelines, dispatches, and the
+//! start-up probe of a device's arithmetic. It knows no sampling words.
 //!
 //! ```no_run
 //! use corput::vulkan::{Access, Buffer, Device, Instance, InstanceOptions, Pipeline, PipelineDescription, select};
@@ -36,6 +36,9 @@ mod info;
 mod instance;
 mod memory;
 mod pipeline;
+mod probe;
+mod probe_rows;
+mod probe_samples;
 mod query;
 mod select;
 mod submit;
@@ -48,6 +51,7 @@ pub use dispatch::{Timing, barrier, record};
 pub use info::{DeviceInfo, DeviceKind, Features, FloatControls, Limits};
 pub use instance::{Instance, InstanceOptions};
 pub use pipeline::{Pipeline, PipelineDescription};
+pub use probe::{Denormals, Probe, ProbeGroup, ProbeSample, Rounding, probe};
 pub use select::select;
 
 use crate::error::Error;
