@@ -223,7 +223,35 @@ pub enum Error {
     },
 }
 
+/// The candidate most similar to a name, if any is similar: at most a third of the
+/// longer of the two may differ, or one begins the other.
+#[must_use]
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let name = name.to_ascii_lowercase();
+    candidates
+        .into_iter()
+        .map(|candidate| (strsim::damerau_levenshtein(&name, candidate), candidate))
+        .filter(|(distance, candidate)| {
+            let begins =
+                name.len() >= 2 && (candidate.starts_with(&*name) || name.starts_with(candidate));
+            begins || *distance <= name.len().max(candidate.len()).div_ceil(3)
+        })
+        .min()
+        .map(|(_, candidate)| candidate)
+}
+
 impl Error {
+    /// The error for an unknown name, with the most similar known one.
+    #[must_use]
+    pub fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
+        Self::UnknownName {
+            kind,
+            name: name.to_owned(),
+            nearest: nearest(name, known.iter().copied()).map(str::to_owned),
+            known: known.join(", "),
+        }
+    }
+
     /// Exit code of the command line for this error.
     #[must_use]
     pub fn exit_code(&self) -> u8 {

@@ -101,6 +101,9 @@ pub struct Binding {
     pub name: &'static str,
     /// The array's element.
     pub element: Element,
+    /// Whether the kernel only reads it, which also lets the validation layer see
+    /// hazards.
+    pub input: bool,
 }
 
 /// A specialization constant of type `uint`.
@@ -169,8 +172,11 @@ impl Kernel {
             };
             let _ = writeln!(
                 text,
-                "layout(std430, set = 0, binding = {}) buffer Buffer{} {{ {element} {}[]; }};",
-                b.binding, b.binding, b.name
+                "layout(std430, set = 0, binding = {}) {}buffer Buffer{} {{ {element} {}[]; }};",
+                b.binding,
+                if b.input { "readonly " } else { "" },
+                b.binding,
+                b.name
             );
         }
         if !self.push.is_empty() {
@@ -309,21 +315,25 @@ const RESULTS: Binding = Binding {
     binding: 0,
     name: "results",
     element: Element::Uvec4,
+    input: false,
 };
 const COLUMNS: Binding = Binding {
     binding: 1,
     name: "columns",
     element: Element::Uint,
+    input: true,
 };
 const POINTS: Binding = Binding {
     binding: 1,
     name: "points",
     element: Element::Uvec4,
+    input: true,
 };
 const ARGUMENTS: Binding = Binding {
     binding: 1,
     name: "arguments",
     element: Element::Uvec4,
+    input: true,
 };
 
 const WORK: &[Member] = WorkPush::MEMBERS;
@@ -458,11 +468,13 @@ pub const KERNELS: &[Kernel] = &[
                 binding: 1,
                 name: "texels",
                 element: Element::Uint,
+                input: true,
             },
             Binding {
                 binding: 2,
                 name: "edges",
                 element: Element::Uint,
+                input: true,
             },
         ],
         constants: &[],
@@ -491,11 +503,13 @@ pub const KERNELS: &[Kernel] = &[
                 binding: 0,
                 name: "arguments",
                 element: Element::Uint,
+                input: true,
             },
             Binding {
                 binding: 1,
                 name: "results",
                 element: Element::Uint,
+                input: false,
             },
         ],
         constants: &[],

@@ -5,18 +5,22 @@ pub mod catalog;
 #[cfg(feature = "gpu")]
 pub mod compile;
 pub mod error;
+#[cfg(feature = "images")]
+pub mod image;
 pub mod interface;
+pub mod irradiance;
 pub mod judge;
+#[cfg(feature = "gpu")]
+pub mod kernels;
+#[cfg(feature = "images")]
+pub mod plot;
 pub mod reference;
+pub mod report;
 pub mod spirv;
 pub mod tables;
 pub mod variant;
-pub mod report;
-#[cfg(feature = "images")]
-pub mod image;
-pub mod irradiance;
-#[cfg(feature = "images")]
-pub mod plot;
+#[cfg(feature = "gpu")]
+pub mod vulkan;
 
 pub use error::{Error, Result};
 pub use glam;

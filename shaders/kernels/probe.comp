@@ -2,12 +2,12 @@
 // What:   start-up probe: does one operation per row, on operands from a buffer
 //         so that no compiler can fold it.
 // Rows:   four words each: operation, a, b, c. One result word per row.
-// Judge:  src/vulkan/probe.rs. The operations' numbers are in probe_samples.rs.
+// Judge:  src/vulkan/probe.rs. The operations' numbers are in probe_rows.rs.
 
 layout(local_size_x = 64) in;
 
-layout(std430, set = 0, binding = 0) readonly buffer Rows { uint rows[]; };
-layout(std430, set = 0, binding = 1) buffer Results { uint results[]; };
+layout(std430, set = 0, binding = 0) readonly buffer Buffer0 { uint arguments[]; };
+layout(std430, set = 0, binding = 1) buffer Buffer1 { uint results[]; };
 
 void main() {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
@@ -15,14 +15,14 @@ void main() {
     if (row >= uint(results.length())) {
         return;
     }
-    uint a = rows[row * 4u + 1u];
-    uint b = rows[row * 4u + 2u];
-    uint c = rows[row * 4u + 3u];
+    uint a = arguments[row * 4u + 1u];
+    uint b = arguments[row * 4u + 2u];
+    uint c = arguments[row * 4u + 3u];
     float x = uintBitsToFloat(a);
     float y = uintBitsToFloat(b);
     float z = uintBitsToFloat(c);
     uint result = 0u;
-    switch (rows[row * 4u]) {
+    switch (arguments[row * 4u]) {
     case 0u: { // add
         precise float sum = x + y;
         result = floatBitsToUint(sum);

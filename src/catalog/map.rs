@@ -1,7 +1,6 @@
 //! The maps from the unit square.
 
 use super::Tier;
-use super::names::unknown;
 use crate::Result;
 use crate::interface::map;
 
@@ -41,7 +40,7 @@ impl Map {
             .find(|candidate| candidate.name == name)
             .ok_or_else(|| {
                 let known: Vec<&str> = MAPS.iter().map(|m| m.name).collect();
-                unknown("map", name, &known)
+                crate::Error::unknown_name("map", name, &known)
             })
     }
 }

@@ -2,13 +2,11 @@
 
 mod functions;
 mod map;
-mod names;
 mod request;
 mod sequence;
 
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use map::{MAPS, Map};
-pub use names::unknown;
 pub use request::{Engine, Options, Output, Request};
 pub use sequence::{SEQUENCES, Sequence};
 
@@ -60,6 +58,6 @@ impl Profile {
         [Self::Exact, Self::Native]
             .into_iter()
             .find(|profile| profile.name() == name)
-            .ok_or_else(|| unknown("profile", name, &["exact", "native"]))
+            .ok_or_else(|| crate::Error::unknown_name("profile", name, &["exact", "native"]))
     }
 }

@@ -1,6 +1,5 @@
 //! The sequences.
 
-use super::names::unknown;
 use crate::Result;
 use crate::tables::PRIMES;
 
@@ -54,7 +53,7 @@ impl Sequence {
             .find(|sequence| sequence.name() == name)
             .ok_or_else(|| {
                 let known: Vec<&str> = SEQUENCES.iter().map(|s| s.name()).collect();
-                unknown("sequence", name, &known)
+                crate::Error::unknown_name("sequence", name, &known)
             })
     }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::str::FromStr;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, nearest};
 
 /// How the data is laid out in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -78,8 +78,7 @@ impl FromStr for Format {
         Err(Error::UnknownName {
             kind: "format",
             name: name.to_owned(),
-            nearest: nearest(&name.to_ascii_lowercase(), FORMATS.iter().map(|row| row.1))
-                .map(str::to_owned),
+            nearest: nearest(name, FORMATS.iter().map(|row| row.1)).map(str::to_owned),
             known: "npy, raw, csv".to_owned(),
         })
     }
@@ -88,36 +87,5 @@ impl FromStr for Format {
 impl std::fmt::Display for Format {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.name())
-    }
-}
-
-/// The first candidate that is one edit away, or of which one begins the
-/// other. Names of three letters allow no more.
-fn nearest(name: &str, candidates: impl Iterator<Item = &'static str>) -> Option<&'static str> {
-    let near = |candidate: &&'static str| {
-        !name.is_empty()
-            && (name.starts_with(*candidate)
-                || candidate.starts_with(name)
-                || one_edit(name, candidate))
-    };
-    candidates.into_iter().find(near)
-}
-
-/// Whether one insertion, deletion, replacement or swap of neighbours makes
-/// `a` out of `b`, or they are equal.
-fn one_edit(a: &str, b: &str) -> bool {
-    let (a, b) = (a.as_bytes(), b.as_bytes());
-    let same_before = a.iter().zip(b).take_while(|(x, y)| x == y).count();
-    let (a, b) = (&a[same_before..], &b[same_before..]);
-    let same_after = a
-        .iter()
-        .rev()
-        .zip(b.iter().rev())
-        .take_while(|(x, y)| x == y)
-        .count();
-    let (a, b) = (&a[..a.len() - same_after], &b[..b.len() - same_after]);
-    match (a, b) {
-        ([p, q], [r, s]) => p == s && q == r,
-        _ => a.len() <= 1 && b.len() <= 1,
     }
 }

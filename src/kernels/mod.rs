@@ -1,0 +1,92 @@
+//! Typed wrappers of the stock kernels: Rust arguments in, results out.
+
+mod evaluator;
+mod generator;
+mod irradiance;
+mod mapper;
+
+pub use evaluator::Evaluator;
+pub use generator::Generator;
+pub use irradiance::{IrradianceSum, Irradiator};
+pub use mapper::Mapper;
+
+use crate::interface::{KERNELS, Kernel};
+use crate::vulkan::{Device, Pipeline, PipelineDescription, Probe};
+use crate::{Error, Result};
+use std::sync::Arc;
+
+/// The compiled modules, by name.
+const MODULES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/kernels.rs"));
+
+/// The SPIR-V of a stock kernel, for a caller's own pipeline.
+///
+/// # Errors
+/// [`Error::UnknownName`].
+pub fn spirv(name: &str) -> Result<Vec<u32>> {
+    let module = MODULES.iter().find(|(known, _)| *known == name);
+    let (_, bytes) = module.ok_or_else(|| {
+        let known: Vec<&str> = MODULES.iter().map(|(name, _)| *name).collect();
+        Error::unknown_name("kernel", name, &known)
+    })?;
+    Ok(bytes
+        .chunks_exact(4)
+        .map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]))
+        .collect())
+}
+
+/// The row of a kernel.
+///
+/// # Errors
+/// [`Error::UnknownName`].
+pub fn kernel(name: &str) -> Result<&'static Kernel> {
+    KERNELS
+        .iter()
+        .find(|kernel| kernel.name == name)
+        .ok_or_else(|| {
+            let known: Vec<&str> = KERNELS.iter().map(|kernel| kernel.name).collect();
+            Error::unknown_name("kernel", name, &known)
+        })
+}
+
+/// Asks the device how it treats floats; see [`crate::vulkan::probe`].
+///
+/// # Errors
+/// Those of the device.
+pub fn probe(device: &Arc<Device>) -> Result<Probe> {
+    crate::vulkan::probe(device, &spirv("probe")?)
+}
+
+/// A pipeline of a module with the interface of a row; `words` need not be the stock
+/// module, so that tests can run broken ones.
+///
+/// # Errors
+/// Those of the device.
+pub fn pipeline(
+    device: &Arc<Device>,
+    kernel: &Kernel,
+    words: &[u32],
+    specialization: &[(u32, u32)],
+) -> Result<Pipeline> {
+    let bindings: Vec<u32> = kernel.bindings.iter().map(|b| b.binding).collect();
+    Pipeline::new(
+        device,
+        &PipelineDescription {
+            name: kernel.name,
+            spirv: words,
+            bindings: &bindings,
+            push_constant_bytes: kernel.push_bytes(),
+            specialization,
+        },
+    )
+}
+
+/// Value of the specialization constant with this name, for a row that has it.
+fn constant(kernel: &Kernel, name: &str, value: u32) -> Option<(u32, u32)> {
+    let found = kernel.constants.iter().find(|c| c.name == name)?;
+    Some((found.id, value))
+}
+
+/// The groups that hold so many invocations.
+fn groups(kernel: &Kernel, invocations: u32) -> u64 {
+    u64::from(invocations.div_ceil(kernel.local_size))
+}

@@ -1,0 +1,341 @@
+//! An open device with one compute queue.
+
+use ash::vk;
+use std::ffi::CStr;
+use std::fmt;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use super::info::DeviceInfo;
+use super::instance::Instance;
+use super::submit::Lane;
+use super::{WAIT_SECONDS, failed, query};
+use crate::error::{Error, Result};
+
+/// An open device with one compute queue. Buffers and pipelines hold an `Arc`
+/// of it, so they may be dropped in any order.
+///
+/// Any thread may use it; submissions take turns.
+pub struct Device {
+    raw: ash::Device,
+    info: DeviceInfo,
+    physical: vk::PhysicalDevice,
+    queue: vk::Queue,
+    family: u32,
+    pub(super) memory: vk::PhysicalDeviceMemoryProperties,
+    pub(super) non_coherent_atom: u64,
+    pub(super) lane: Mutex<Lane>,
+    /// A wait has timed out, so work may still be running.
+    pub(super) hung: AtomicBool,
+    /// Nanoseconds.
+    wait_limit: AtomicU64,
+    owned: bool,
+    instance: Arc<Instance>,
+}
+
+impl Device {
+    /// Opens a device that [`Instance::devices`] listed, without any optional
+    /// feature.
+    ///
+    /// # Errors
+    /// [`Error::InadequateDevice`] when it lacks the baseline (Vulkan 1.1, a
+    /// compute queue, 4 storage buffers, 128 invocations in a group, 128 bytes
+    /// of push constants), [`Error::UnknownDevice`] when it has gone,
+    /// [`Error::Vulkan`] when the driver fails.
+    pub fn open(instance: &Arc<Instance>, info: &DeviceInfo) -> Result<Arc<Self>> {
+        let (physical, info) = find(instance, info)?;
+        check_baseline(&info)?;
+        let (family, _) = query::compute_family(instance.raw(), physical)
+            .ok_or_else(|| inadequate(&info, "it has no compute queue"))?;
+
+        let mut extensions = Vec::new();
+        // Must be enabled where it is offered (drivers such as MoltenVK).
+        let subset: &CStr = ash::khr::portability_subset::NAME;
+        let offered = query::extensions(instance.raw(), physical)?;
+        if offered
+            .iter()
+            .any(|e| e.extension_name_as_c_str() == Ok(subset))
+        {
+            extensions.push(subset.as_ptr());
+        }
+        let queues = [vk::DeviceQueueCreateInfo::default()
+            .queue_family_index(family)
+            .queue_priorities(&[1.0])];
+        let create = vk::DeviceCreateInfo::default()
+            .queue_create_infos(&queues)
+            .enabled_extension_names(&extensions);
+        // SAFETY: `physical` belongs to the instance, and `create` and what it
+        // points to live until the call returns.
+        let raw = unsafe { instance.raw().create_device(physical, &create, None) }
+            .map_err(failed("vkCreateDevice"))?;
+        // SAFETY: the device was made with one queue of this family.
+        let queue = unsafe { raw.get_device_queue(family, 0) };
+        Self::assemble(
+            Arc::clone(instance),
+            raw,
+            info,
+            physical,
+            queue,
+            family,
+            true,
+        )
+    }
+
+    /// Wraps a device that the caller owns. Dropping the wrapper destroys what
+    /// the wrapper made, and neither the device nor the instance.
+    ///
+    /// # Errors
+    /// As for [`Device::open`].
+    ///
+    /// # Safety
+    /// - The handles belong together, `queue` is of family `family` of `device`,
+    ///   and all are alive until the wrapper and all that was made from it have
+    ///   been dropped.
+    /// - Instance and device are of Vulkan 1.1 at least.
+    /// - While a method of the wrapper runs, no other thread uses `queue`.
+    pub unsafe fn from_existing(
+        entry: &ash::Entry,
+        instance: &ash::Instance,
+        physical: vk::PhysicalDevice,
+        device: ash::Device,
+        queue: vk::Queue,
+        family: u32,
+    ) -> Result<Arc<Self>> {
+        let instance = Instance::borrowed(entry, instance);
+        let listed = instance.physical_devices()?;
+        let index = listed.iter().position(|one| *one == physical).unwrap_or(0);
+        let mut info = query::device_info(instance.raw(), physical, index)?;
+        check_baseline(&info)?;
+        // SAFETY: the caller vouches for the handles.
+        let families = unsafe {
+            instance
+                .raw()
+                .get_physical_device_queue_family_properties(physical)
+        };
+        let family_properties = usize::try_from(family)
+            .ok()
+            .and_then(|family| families.get(family))
+            .filter(|family| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
+            .ok_or_else(|| inadequate(&info, "the queue given is not a compute queue"))?;
+        info.limits.timestamp_valid_bits = family_properties.timestamp_valid_bits;
+        Self::assemble(instance, device, info, physical, queue, family, false)
+    }
+
+    fn assemble(
+        instance: Arc<Instance>,
+        raw: ash::Device,
+        info: DeviceInfo,
+        physical: vk::PhysicalDevice,
+        queue: vk::Queue,
+        family: u32,
+        owned: bool,
+    ) -> Result<Arc<Self>> {
+        // SAFETY: `physical` belongs to the instance, which is alive.
+        let (memory, properties) = unsafe {
+            (
+                instance
+                    .raw()
+                    .get_physical_device_memory_properties(physical),
+                instance.raw().get_physical_device_properties(physical),
+            )
+        };
+        let device = Self {
+            raw,
+            physical,
+            queue,
+            family,
+            memory,
+            non_coherent_atom: properties.limits.non_coherent_atom_size.max(1),
+            lane: Mutex::default(),
+            hung: AtomicBool::new(false),
+            wait_limit: AtomicU64::new(nanoseconds(Duration::from_secs(WAIT_SECONDS))),
+            owned,
+            instance,
+            info,
+        };
+        // From here on, dropping `device` destroys it.
+        let lane = Lane::new(&device)?;
+        *device.lane.lock().unwrap_or_else(PoisonError::into_inner) = lane;
+        Ok(Arc::new(device))
+    }
+
+    /// What the device said about itself.
+    #[must_use]
+    pub fn info(&self) -> &DeviceInfo {
+        &self.info
+    }
+
+    /// The device's handle and functions.
+    #[must_use]
+    pub fn raw(&self) -> &ash::Device {
+        &self.raw
+    }
+
+    /// The instance that the device came from.
+    #[must_use]
+    pub fn instance(&self) -> &Arc<Instance> {
+        &self.instance
+    }
+
+    /// The physical device.
+    #[must_use]
+    pub fn physical(&self) -> vk::PhysicalDevice {
+        self.physical
+    }
+
+    /// The compute queue. Submitting to it needs the same care as any
+    /// `VkQueue`: no two threads at a time, the methods here included.
+    #[must_use]
+    pub fn queue(&self) -> vk::Queue {
+        self.queue
+    }
+
+    /// The family of the compute queue.
+    #[must_use]
+    pub fn queue_family(&self) -> u32 {
+        self.family
+    }
+
+    /// Changes how long one submission may take before the wait for it ends in
+    /// [`Error::Timeout`]; at first [`WAIT_SECONDS`]. After a timeout the next
+    /// use of the device waits again for the same submission.
+    pub fn set_wait_limit(&self, limit: Duration) {
+        self.wait_limit.store(nanoseconds(limit), Ordering::Relaxed);
+    }
+
+    /// The wait limit.
+    #[must_use]
+    pub fn wait_limit(&self) -> Duration {
+        Duration::from_nanos(self.wait_limit.load(Ordering::Relaxed))
+    }
+
+    /// Whether a wait has timed out, so that nothing may be destroyed.
+    pub(super) fn is_hung(&self) -> bool {
+        self.hung.load(Ordering::Acquire)
+    }
+}
+
+impl Drop for Device {
+    fn drop(&mut self) {
+        if self.is_hung() {
+            // Work may still be running; destroying what it uses would be
+            // undefined behaviour, so it is left to the end of the process.
+            std::mem::forget(Arc::clone(&self.instance));
+            return;
+        }
+        let lane = std::mem::take(self.lane.get_mut().unwrap_or_else(PoisonError::into_inner));
+        lane.destroy(&self.raw);
+        if self.owned {
+            // SAFETY: every submission was waited for, and all that was made from
+            // the device held an `Arc` of it, so nothing of it is left.
+            unsafe { self.raw.destroy_device(None) };
+        }
+    }
+}
+
+impl fmt::Debug for Device {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Device")
+            .field("name", &self.info.name)
+            .finish_non_exhaustive()
+    }
+}
+
+/// The physical device that `wanted` describes; the loader's order may have
+/// changed since it was listed.
+fn find(instance: &Instance, wanted: &DeviceInfo) -> Result<(vk::PhysicalDevice, DeviceInfo)> {
+    let physical = instance.physical_devices()?;
+    let infos = instance.devices()?;
+    let same =
+        |info: &DeviceInfo| info.device_uuid == wanted.device_uuid && info.name == wanted.name;
+    let mut found: Vec<_> = physical
+        .into_iter()
+        .zip(infos)
+        .filter(|(_, info)| same(info))
+        .collect();
+    let at = found
+        .iter()
+        .position(|(_, info)| info.index == wanted.index)
+        .unwrap_or(0);
+    if found.is_empty() {
+        return Err(Error::UnknownDevice {
+            asked: wanted.name.clone(),
+            present: "it has gone since it was listed".to_owned(),
+        });
+    }
+    Ok(found.swap_remove(at))
+}
+
+fn nanoseconds(limit: Duration) -> u64 {
+    u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX)
+}
+
+fn check_baseline(info: &DeviceInfo) -> Result<()> {
+    let (major, minor, _) = info.api_version;
+    let limits = &info.limits;
+    let need = |name: &str, has: u32, least: u32| {
+        (has < least).then(|| format!("{name}: it has {has}, and {least} are needed"))
+    };
+    let problem = ((major, minor) < (1, 1))
+        .then(|| format!("it offers Vulkan {major}.{minor}, and 1.1 is needed"))
+        .or_else(|| need("storage buffers", limits.max_storage_buffers, 4))
+        .or_else(|| need("invocations in a group", limits.max_group_invocations, 128))
+        .or_else(|| {
+            need(
+                "invocations on a group's x axis",
+                limits.max_group_size[0],
+                128,
+            )
+        })
+        .or_else(|| need("bytes of push constants", limits.max_push_constants, 128));
+    problem.map_or(Ok(()), |problem| Err(inadequate(info, problem)))
+}
+
+/// The device cannot do what is needed.
+pub(super) fn inadequate(info: &DeviceInfo, problem: impl Into<String>) -> Error {
+    Error::InadequateDevice {
+        device: info.name.clone(),
+        problem: problem.into(),
+        remedy: "choose another device, or `--device cpu`".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::info::Limits;
+    use super::*;
+
+    fn baseline() -> DeviceInfo {
+        DeviceInfo {
+            api_version: (1, 1, 0),
+            limits: Limits {
+                max_storage_buffers: 4,
+                max_group_invocations: 128,
+                max_group_size: [128, 1, 1],
+                max_push_constants: 128,
+                ..Limits::default()
+            },
+            ..DeviceInfo::default()
+        }
+    }
+
+    #[test]
+    fn the_baseline_is_enough_and_nothing_less_is() {
+        assert!(check_baseline(&baseline()).is_ok());
+        let weaker: [fn(&mut DeviceInfo); 5] = [
+            |info| info.api_version = (1, 0, 300),
+            |info| info.limits.max_storage_buffers = 3,
+            |info| info.limits.max_group_invocations = 127,
+            |info| info.limits.max_group_size[0] = 64,
+            |info| info.limits.max_push_constants = 124,
+        ];
+        for weaken in weaker {
+            let mut info = baseline();
+            weaken(&mut info);
+            let error = check_baseline(&info).unwrap_err();
+            assert!(matches!(error, Error::InadequateDevice { .. }), "{error}");
+            assert_eq!(error.exit_code(), 3);
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! Submissions: record, submit, wait within bounds, read the clock.
+
+use ash::vk;
+use std::sync::PoisonError;
+use std::sync::atomic::Ordering;
+
+use super::device::Device;
+use super::{MAX_BINDINGS, dispatch, failed};
+use crate::error::{Error, Result};
+
+/// The objects that one submission at a time uses again and again.
+#[derive(Default)]
+pub(super) struct Lane {
+    pool: vk::CommandPool,
+    commands: vk::CommandBuffer,
+    fence: vk::Fence,
+    /// Null where the queue has no timestamps.
+    queries: vk::QueryPool,
+    /// Room for one set of [`MAX_BINDINGS`] storage buffers.
+    pub(super) descriptors: vk::DescriptorPool,
+    /// Submitted, and not seen to end.
+    pending: bool,
+}
+
+impl Lane {
+    pub(super) fn new(device: &Device) -> Result<Self> {
+        let mut lane = Self::default();
+        match lane.create(device) {
+            Ok(()) => Ok(lane),
+            Err(error) => {
+                lane.destroy(device.raw());
+                Err(error)
+            }
+        }
+    }
+
+    fn create(&mut self, device: &Device) -> Result<()> {
+        let raw = device.raw();
+        let pool = vk::CommandPoolCreateInfo::default()
+            .flags(vk::CommandPoolCreateFlags::TRANSIENT)
+            .queue_family_index(device.queue_family());
+        // SAFETY: the device is alive and has a queue of this family.
+        self.pool = unsafe { raw.create_command_pool(&pool, None) }
+            .map_err(failed("vkCreateCommandPool"))?;
+        let commands = vk::CommandBufferAllocateInfo::default()
+            .command_pool(self.pool)
+            .command_buffer_count(1);
+        // SAFETY: the pool was just made.
+        self.commands = unsafe { raw.allocate_command_buffers(&commands) }
+            .map_err(failed("vkAllocateCommandBuffers"))?
+            .first()
+            .copied()
+            .unwrap_or_default();
+        // SAFETY: the device is alive.
+        self.fence = unsafe { raw.create_fence(&vk::FenceCreateInfo::default(), None) }
+            .map_err(failed("vkCreateFence"))?;
+        if device.info().limits.timestamp_valid_bits > 0 {
+            let queries = vk::QueryPoolCreateInfo::default()
+                .query_type(vk::QueryType::TIMESTAMP)
+                .query_count(2);
+            // SAFETY: the device is alive, and its queue has timestamps.
+            self.queries = unsafe { raw.create_query_pool(&queries, None) }
+                .map_err(failed("vkCreateQueryPool"))?;
+        }
+        let sizes = [vk::DescriptorPoolSize {
+            ty: vk::DescriptorType::STORAGE_BUFFER,
+            descriptor_count: MAX_BINDINGS as u32,
+        }];
+        let descriptors = vk::DescriptorPoolCreateInfo::default()
+            .max_sets(1)
+            .pool_sizes(&sizes);
+        // SAFETY: the device is alive.
+        self.descriptors = unsafe { raw.create_descriptor_pool(&descriptors, None) }
+            .map_err(failed("vkCreateDescriptorPool"))?;
+        Ok(())
+    }
+
+    /// Destroys all of it; whatever was not made is null, which is allowed.
+    pub(super) fn destroy(self, raw: &ash::Device) {
+        // SAFETY: the objects are of this device, and nothing is pending: a device
+        // with pending work is never destroyed.
+        unsafe {
+            raw.destroy_descriptor_pool(self.descriptors, None);
+            raw.destroy_query_pool(self.queries, None);
+            raw.destroy_fence(self.fence, None);
+            raw.destroy_command_pool(self.pool, None);
+        }
+    }
+
+    /// Waits for the fence within bounds, and readies it for the next time.
+    fn wait(&mut self, device: &Device) -> Result<()> {
+        let limit = device.wait_limit();
+        let bound = u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX);
+        // SAFETY: the fence is of this device.
+        let waited = unsafe { device.raw().wait_for_fences(&[self.fence], true, bound) };
+        if let Err(vk::Result::TIMEOUT) = waited {
+            device.hung.store(true, Ordering::Release);
+            return Err(Error::Timeout {
+                call: "vkWaitForFences",
+                seconds: limit.as_secs(),
+            });
+        }
+        // Ended, or the device is lost, which ends everything.
+        self.pending = false;
+        device.hung.store(false, Ordering::Release);
+        waited.map_err(failed("vkWaitForFences"))?;
+        // SAFETY: as above; no submission uses the fence now.
+        unsafe { device.raw().reset_fences(&[self.fence]) }.map_err(failed("vkResetFences"))
+    }
+}
+
+impl Device {
+    /// Waits again for work that an earlier wait gave up on.
+    pub(super) fn settle(&self) -> Result<()> {
+        if !self.is_hung() {
+            return Ok(());
+        }
+        let mut lane = self.lane.lock().unwrap_or_else(PoisonError::into_inner);
+        if lane.pending {
+            lane.wait(self)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Records with `fill`, submits and waits. Returns the device's nanoseconds
+    /// between both ends of what `fill` recorded, if `timed` and if it can tell.
+    pub(super) fn submit(
+        &self,
+        timed: bool,
+        fill: impl FnOnce(&Lane, vk::CommandBuffer) -> Result<()>,
+    ) -> Result<Option<f64>> {
+        let mut lane = self.lane.lock().unwrap_or_else(PoisonError::into_inner);
+        if lane.pending {
+            lane.wait(self)?;
+        }
+        let (raw, commands, queries) = (self.raw(), lane.commands, lane.queries);
+        let timed = timed && queries != vk::QueryPool::null();
+        let begin = vk::CommandBufferBeginInfo::default()
+            .flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+        // SAFETY: nothing of the lane is pending, the lock keeps others away, and
+        // both queries are reset before they are written.
+        unsafe {
+            raw.reset_command_pool(lane.pool, vk::CommandPoolResetFlags::empty())
+                .map_err(failed("vkResetCommandPool"))?;
+            raw.begin_command_buffer(commands, &begin)
+                .map_err(failed("vkBeginCommandBuffer"))?;
+            if timed {
+                raw.cmd_reset_query_pool(commands, queries, 0, 2);
+                raw.cmd_write_timestamp(commands, vk::PipelineStageFlags::TOP_OF_PIPE, queries, 0);
+            }
+        }
+        fill(&lane, commands)?;
+        // SAFETY: as above; the command buffer is recording.
+        unsafe {
+            if timed {
+                let end = vk::PipelineStageFlags::BOTTOM_OF_PIPE;
+                raw.cmd_write_timestamp(commands, end, queries, 1);
+            }
+            dispatch::barrier(self, commands);
+            raw.end_command_buffer(commands)
+                .map_err(failed("vkEndCommandBuffer"))?;
+            let buffers = [commands];
+            let submission = [vk::SubmitInfo::default().command_buffers(&buffers)];
+            raw.queue_submit(self.queue(), &submission, lane.fence)
+                .map_err(failed("vkQueueSubmit"))?;
+        }
+        lane.pending = true;
+        lane.wait(self)?;
+        Ok(if timed { self.elapsed(queries) } else { None })
+    }
+
+    fn elapsed(&self, queries: vk::QueryPool) -> Option<f64> {
+        let mut ticks = [0u64; 2];
+        // SAFETY: the pool holds two queries, and the submission that wrote them
+        // has ended.
+        let read = unsafe {
+            self.raw()
+                .get_query_pool_results(queries, 0, &mut ticks, vk::QueryResultFlags::TYPE_64)
+        };
+        read.ok()?;
+        let limits = &self.info().limits;
+        let ticks = tick_difference(ticks[0], ticks[1], limits.timestamp_valid_bits);
+        Some(ticks as f64 * f64::from(limits.timestamp_period_ns))
+    }
+}
+
+/// `end - begin` of a counter that wraps at `valid_bits`.
+fn tick_difference(begin: u64, end: u64, valid_bits: u32) -> u64 {
+    let mask = u64::MAX >> 64u32.saturating_sub(valid_bits).min(63);
+    end.wrapping_sub(begin) & mask
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tick_difference;
+
+    #[test]
+    fn the_clock_may_wrap() {
+        assert_eq!(tick_difference(10, 25, 64), 15);
+        assert_eq!(tick_difference(u64::MAX, 4, 64), 5);
+        assert_eq!(tick_difference((1 << 36) - 1, 4, 36), 5);
+        assert_eq!(tick_difference(3 | (7 << 36), 9, 36), 6);
+    }
+}

@@ -1,0 +1,106 @@
+//! What the tests on devices share.
+
+use std::sync::Arc;
+
+use corput::Error;
+use corput::vulkan::{Device, Instance, InstanceOptions, Pipeline, PipelineDescription};
+
+/// Compiles GLSL for a stock kernel's target.
+pub fn compile(glsl: &str) -> Vec<u32> {
+    use glslang::{CompilerOptions, ShaderInput, ShaderSource, ShaderStage, SpirvVersion, Target};
+    let options = CompilerOptions {
+        target: Target::Vulkan {
+            version: glslang::VulkanVersion::Vulkan1_1,
+            spirv_version: SpirvVersion::SPIRV1_3,
+        },
+        ..CompilerOptions::default()
+    };
+    let compiler = glslang::Compiler::acquire().expect("glslang starts");
+    let source = ShaderSource::from(glsl.to_owned());
+    let none: Option<&[(&str, Option<&str>)]> = None;
+    let input = ShaderInput::new(&source, ShaderStage::Compute, &options, none, None);
+    let shader = compiler.create_shader(input.expect("a shader input"));
+    shader
+        .and_then(|shader| shader.compile())
+        .unwrap_or_else(|error| panic!("{error}\n{glsl}"))
+}
+
+/// A shader of 64 invocations a group, with `i` the invocation's number.
+pub fn shader(declarations: &str, body: &str) -> Vec<u32> {
+    compile(&format!(
+        "#version 450
+        layout(local_size_x = 64) in;
+        {declarations}
+        void main() {{
+            uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u
+                + gl_LocalInvocationID.x;
+            {body}
+        }}"
+    ))
+}
+
+/// An instance with validation; without only if `CORPUT_SKIP_VALIDATION=1`.
+pub fn instance() -> Arc<Instance> {
+    let validation = !is_set("CORPUT_SKIP_VALIDATION");
+    Instance::new(&InstanceOptions { validation }).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Calls `test` with every device present, and fails on validation messages.
+/// No device is a failure, unless `CORPUT_SKIP_GPU=1`.
+pub fn on_each_device(test: impl Fn(&Arc<Device>)) {
+    if skips() {
+        return;
+    }
+    let instance = instance();
+    let devices = instance.devices().expect("a list of devices");
+    assert!(
+        !devices.is_empty(),
+        "{}",
+        Error::NoDevice {
+            reason: "none listed".to_owned()
+        }
+    );
+    for info in &devices {
+        println!("on {}: {} ({})", info.index, info.name, info.driver_info);
+        let device = Device::open(&instance, info).unwrap_or_else(|error| panic!("{error}"));
+        test(&device);
+        drop(device);
+        let said = instance.take_validation_messages();
+        assert!(said.is_empty(), "validation on {}: {said:#?}", info.name);
+    }
+}
+
+/// Whether tests on devices are to be skipped, which is said aloud.
+pub fn skips() -> bool {
+    let skip = is_set("CORPUT_SKIP_GPU");
+    if skip {
+        eprintln!("SKIPPED: CORPUT_SKIP_GPU=1");
+    }
+    skip
+}
+
+/// A pipeline without specialization constants.
+pub fn pipeline(device: &Arc<Device>, spirv: &[u32], bindings: &[u32], push: u32) -> Pipeline {
+    let description = PipelineDescription {
+        name: "test",
+        spirv,
+        bindings,
+        push_constant_bytes: push,
+        specialization: &[],
+    };
+    Pipeline::new(device, &description).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The bytes as words.
+pub fn words(bytes: &[u8]) -> Vec<u32> {
+    bytes
+        .as_chunks::<4>()
+        .0
+        .iter()
+        .map(|word| u32::from_ne_bytes(*word))
+        .collect()
+}
+
+fn is_set(variable: &str) -> bool {
+    std::env::var_os(variable).is_some_and(|value| value == "1")
+}
