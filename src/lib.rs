@@ -3,6 +3,8 @@
 pub mod bulk;
 pub mod catalog;
 #[cfg(feature = "gpu")]
+pub mod check;
+#[cfg(feature = "gpu")]
 pub mod compile;
 pub mod error;
 #[cfg(feature = "images")]

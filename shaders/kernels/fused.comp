@@ -12,16 +12,14 @@ void main() {
     }
     Tile tile = tile_start(push.first + i * TILE);
     uint at = i * (TILE / 4u) * map_width();
+    // A loop, not four copies: the maps are long, and some drivers compile slowly.
     for (uint j = 0u; j < TILE; j += 4u) {
-        uvec4 p0 = map_sample(tile_fractions(tile).xy);
-        tile = tile_next(tile);
-        uvec4 p1 = map_sample(tile_fractions(tile).xy);
-        tile = tile_next(tile);
-        uvec4 p2 = map_sample(tile_fractions(tile).xy);
-        tile = tile_next(tile);
-        uvec4 p3 = map_sample(tile_fractions(tile).xy);
-        tile = tile_next(tile);
-        map_store(at, p0, p1, p2, p3);
+        uvec4 samples[4];
+        for (uint k = 0u; k < 4u; k++) {
+            samples[k] = map_sample(tile_fractions(tile).xy);
+            tile = tile_next(tile);
+        }
+        map_store(at, samples[0], samples[1], samples[2], samples[3]);
         at += map_width();
     }
 }

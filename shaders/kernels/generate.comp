@@ -27,6 +27,9 @@ void main() {
     if (i >= push.invocations) {
         return;
     }
-    uint at = i * 4u;
-    results[i] = uvec4(word(at), word(at + 1u), word(at + 2u), word(at + 3u));
+    uvec4 words;
+    for (uint k = 0u; k < 4u; k++) {
+        words[k] = word(i * 4u + k);
+    }
+    results[i] = words;
 }

@@ -12,28 +12,25 @@ void main() {
     Tile tile = tile_start(push.first + i * TILE);
     uint at = i * (TILE / 4u) * TILE_COLUMNS;
     for (uint j = 0u; j < TILE; j += 4u) {
-        uvec4 p0 = tile_output(tile_fractions(tile), OUTPUT);
-        tile = tile_next(tile);
-        uvec4 p1 = tile_output(tile_fractions(tile), OUTPUT);
-        tile = tile_next(tile);
-        uvec4 p2 = tile_output(tile_fractions(tile), OUTPUT);
-        tile = tile_next(tile);
-        uvec4 p3 = tile_output(tile_fractions(tile), OUTPUT);
-        tile = tile_next(tile);
+        uvec4 p[4];
+        for (uint k = 0u; k < 4u; k++) {
+            p[k] = tile_output(tile_fractions(tile), OUTPUT);
+            tile = tile_next(tile);
+        }
 #if TILE_COLUMNS == 1
-        results[at] = uvec4(p0.x, p1.x, p2.x, p3.x);
+        results[at] = uvec4(p[0].x, p[1].x, p[2].x, p[3].x);
 #elif TILE_COLUMNS == 2
-        results[at] = uvec4(p0.xy, p1.xy);
-        results[at + 1u] = uvec4(p2.xy, p3.xy);
+        results[at] = uvec4(p[0].xy, p[1].xy);
+        results[at + 1u] = uvec4(p[2].xy, p[3].xy);
 #elif TILE_COLUMNS == 3
-        results[at] = uvec4(p0.xyz, p1.x);
-        results[at + 1u] = uvec4(p1.yz, p2.xy);
-        results[at + 2u] = uvec4(p2.z, p3.xyz);
+        results[at] = uvec4(p[0].xyz, p[1].x);
+        results[at + 1u] = uvec4(p[1].yz, p[2].xy);
+        results[at + 2u] = uvec4(p[2].z, p[3].xyz);
 #else
-        results[at] = p0;
-        results[at + 1u] = p1;
-        results[at + 2u] = p2;
-        results[at + 3u] = p3;
+        results[at] = p[0];
+        results[at + 1u] = p[1];
+        results[at + 2u] = p[2];
+        results[at + 3u] = p[3];
 #endif
         at += TILE_COLUMNS;
     }

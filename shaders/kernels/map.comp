@@ -9,8 +9,10 @@ void main() {
     if (i >= push.invocations) {
         return;
     }
-    uvec4 first = points[2u * i];
-    uvec4 second = points[2u * i + 1u];
-    map_store(i * map_width(), map_sample(first.xy), map_sample(first.zw), map_sample(second.xy),
-        map_sample(second.zw));
+    uvec4 samples[4];
+    for (uint k = 0u; k < 4u; k++) {
+        uvec4 pair = points[2u * i + (k >> 1)];
+        samples[k] = map_sample((k & 1u) == 0u ? pair.xy : pair.zw);
+    }
+    map_store(i * map_width(), samples[0], samples[1], samples[2], samples[3]);
 }
