@@ -12,7 +12,7 @@
 
 #include "corput/radical_inverse.glsl"
 
-// A base with the constants of its low digits: power = base^k <= 181, k <= 3.
+// A base with the constants of its low digits: power = base^k <= 181, k <= 4.
 struct CorputOdometerBase {
     CorputBase radical;
     uint power;
@@ -63,14 +63,16 @@ uint corput_odometer_value(CorputOdometer o, CorputOdometerBase b) {
 
 // The window one index on.
 CorputOdometer corput_odometer_next(CorputOdometer o, CorputOdometerBase b) {
-    // Weights of the first three digits; past the last digit a weight is 0, and the
+    // Weights of the first four digits; past the last digit a weight is 0, and the
     // step of that line is the wrap to 0.
     uint first = b.power / b.radical.base;
     uint second = first / b.radical.base;
     uint third = second / b.radical.base;
+    uint fourth = third / b.radical.base;
     uint step = o.reversed < b.power - first ? first
         : o.reversed < b.power - second ? first + second - b.power
         : o.reversed < b.power - third ? second + third - b.power
+        : o.reversed < b.power - fourth ? third + fourth - b.power
         : 1u - b.power;
     uint reversed = o.reversed + step;
     bool wrapped = reversed == 0u;

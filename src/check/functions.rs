@@ -219,7 +219,13 @@ fn worse(a: f64, b: f64) -> f64 {
 
 /// A normal as `corput_frame` takes it: components below 2^-40 are +0.
 fn normal(a: [u32; 4]) -> [f64; 3] {
-    wide(a).map(|x| if x.abs() < f64::powi(2.0, -40) { 0.0 } else { x })
+    wide(a).map(|x| {
+        if x.abs() < f64::powi(2.0, -40) {
+            0.0
+        } else {
+            x
+        }
+    })
 }
 
 fn wide(a: [u32; 4]) -> [f64; 3] {

@@ -11,9 +11,7 @@
 use crate::reference::disk::{
     concentric_disk, concentric_disk_invert, disk_magnitude, polar_disk, polar_disk_invert,
 };
-use crate::reference::elementary::{
-    atan2, sincos_scaled, sqrt_fraction, sqrt_fraction64,
-};
+use crate::reference::elementary::{atan2, sincos_scaled, sqrt_fraction, sqrt_fraction64};
 use crate::reference::fixed::{Scaled, fixed31, mul64, pack, scaled, scaled_mul, shl64, sub64};
 use glam::{UVec2, Vec3, uvec2, vec3};
 

@@ -9,7 +9,7 @@
 
 use crate::reference::radical_inverse::{Base, radical_inverse_table};
 
-/// A base with the constants of its low digits: power = base^k <= 181, k <= 3.
+/// A base with the constants of its low digits: power = base^k <= 181, k <= 4.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OdometerBase {
     /// The base with what the chain over the high digits needs.
@@ -81,17 +81,20 @@ pub fn odometer_value(o: Odometer, b: OdometerBase) -> u32 {
 #[inline]
 #[must_use]
 pub fn odometer_next(o: Odometer, b: OdometerBase) -> Odometer {
-    // Weights of the first three digits; past the last digit a weight is 0, and the
+    // Weights of the first four digits; past the last digit a weight is 0, and the
     // step of that line is the wrap to 0.
     let first = b.power / b.radical.base;
     let second = first / b.radical.base;
     let third = second / b.radical.base;
+    let fourth = third / b.radical.base;
     let step = if o.reversed < b.power - first {
         first
     } else if o.reversed < b.power - second {
         (first + second).wrapping_sub(b.power)
     } else if o.reversed < b.power - third {
         (second + third).wrapping_sub(b.power)
+    } else if o.reversed < b.power - fourth {
+        (third + fourth).wrapping_sub(b.power)
     } else {
         1u32.wrapping_sub(b.power)
     };

@@ -49,7 +49,7 @@ pub fn odometer_base(base: u32, window: u32) -> Option<OdometerBase> {
         power = power.checked_mul(base)?;
         digits += 1;
     }
-    if base < 3 || power > ODOMETER_LIMIT || digits > 3 {
+    if base < 3 || power > ODOMETER_LIMIT || digits > 4 {
         return None;
     }
     // x < power (power + 1): with 2^shift >= power^2 (power + 1), the error of

@@ -96,8 +96,18 @@ pub fn general(work: &Work) -> Plan {
 }
 
 fn tiled(name: &'static str, work: &Work) -> Plan {
-    // A GPU's lanes should write side by side; a CPU's run on by themselves.
-    let tile = if work.cpu { 16 } else { 4 };
+    // A GPU's lanes should write side by side; a CPU's run on by themselves, the longer
+    // the better, as far as every column has an odometer of that length.
+    let odometers = |tile| {
+        let without = |column: &&Column| matches!(column, Column::Radical(p) if odometer_base(*p, tile).is_none());
+        work.columns.iter().filter(without).count()
+    };
+    let tile = match work.cpu {
+        true if odometers(64) == 0 => 64,
+        true if odometers(32) == 0 => 32,
+        true => 16,
+        false => 4,
+    };
     let mut plan = Plan {
         kernel: kernel(name),
         specialization: Vec::new(),

@@ -105,9 +105,13 @@ fn golden_values() {
 #[test]
 fn odometer_equals_the_radical_inverse() {
     for base in PRIMES.into_iter().skip(1).take_while(|&p| p <= 181) {
-        for window in [4, 8, 16] {
+        for window in [4, 16, 32, 64] {
             let Some(b) = odometer_base(base, window) else {
-                panic!("base {base} has no odometer for {window} points");
+                assert!(
+                    window > 16,
+                    "base {base} has no odometer for {window} points"
+                );
+                continue;
             };
             assert!(b.power >= window);
             for start in indices(base) {
