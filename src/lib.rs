@@ -1,11 +1,15 @@
 //! `corput`: a sampling toolkit for Vulkan compute.
 
+#[cfg(feature = "gpu")]
+pub mod bench;
 pub mod bulk;
 pub mod catalog;
 #[cfg(feature = "gpu")]
 pub mod check;
 #[cfg(feature = "gpu")]
 pub mod compile;
+#[cfg(all(feature = "gpu", feature = "images"))]
+pub mod demo;
 pub mod error;
 #[cfg(feature = "images")]
 pub mod image;

@@ -1,6 +1,10 @@
 //! The CPU path: the reference over ranges, on every core, with the bytes of the GPU.
 
 use crate::Result;
+mod irradiance;
+
+pub use irradiance::{RadianceMap, irradiance_sum, row_edges, sum_scale};
+
 use crate::catalog::{Engine, Map, Output, Profile, Request};
 use crate::interface::{Column, map};
 use crate::reference::native::{disk as native_disk, hemisphere as native_hemisphere};

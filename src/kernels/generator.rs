@@ -138,6 +138,17 @@ impl Generator {
             .run(&self.pipeline, &buffers, &push.bytes(), groups)
     }
 
+    /// Brings the chunk nearer to what the device makes in a tenth of a second, after a
+    /// dispatch of `points` took so long.
+    pub fn adapt(&mut self, points: u64, timing: &Timing) {
+        let spent = timing.device_ns.unwrap_or(timing.host_ns).max(1.0);
+        // At most fourfold at a time; whole tiles.
+        let ideal = points as f64 * (TARGET_NS / spent).min(4.0);
+        let tile = u64::from(self.plan.tile.max(4));
+        let chunk = (ideal as u64 / tile * tile).max(tile);
+        self.chunk = chunk.min(self.limit);
+    }
+
     /// The first `points` rows of the last dispatch.
     ///
     /// # Errors
@@ -175,15 +186,9 @@ impl Engine for Generator {
         while done < count {
             let points = (count - done).min(self.chunk);
             let timing = self.dispatch(start + done, points)?;
-            let spent = timing.device_ns.unwrap_or(timing.host_ns).max(1.0);
             self.read(points, &mut *take)??;
             done += points;
-            // Towards the target, at most fourfold at a time; whole tiles.
-            let ideal = points as f64 * (TARGET_NS / spent).min(4.0);
-            let tile = u64::from(self.plan.tile.max(4));
-            self.chunk = ((ideal as u64) / tile * tile)
-                .clamp(tile, self.limit.max(tile))
-                .min(self.limit);
+            self.adapt(points, &timing);
         }
         Ok(())
     }

@@ -10,11 +10,14 @@
 #ifndef CORPUT_NATIVE_DISK_GLSL
 #define CORPUT_NATIVE_DISK_GLSL
 
-#include "corput/unit.glsl"
+// u as a fraction of 2^32; rounds to 1 for the highest u, unlike corput_unit_floor.
+float corput_native_unit(uint u) {
+    return float(u) * 2.3283064365386963e-10;
+}
 
-// 2u - 1 in [-1, 1), from 25 leading bits.
+// 2u - 1 in [-1, 1].
 float corput_native_signed_unit(uint u) {
-    return float(int(u ^ 0x80000000u) >> 7) * 5.9604644775390625e-8;
+    return float(int(u ^ 0x80000000u)) * 4.656612873077393e-10;
 }
 
 // The fraction of 2^32 nearest below x, for x clamped to [0, 1).
@@ -60,8 +63,8 @@ uvec2 corput_native_concentric_disk_invert(vec2 p) {
 
 // Point of the disk, polar map.
 vec2 corput_native_polar_disk(uvec2 u) {
-    float radius = sqrt(corput_unit_floor(u.x));
-    float phi = 6.2831853 * corput_unit_floor(u.y);
+    float radius = sqrt(corput_native_unit(u.x));
+    float phi = 6.2831853 * corput_native_unit(u.y);
     return vec2(radius * cos(phi), radius * sin(phi));
 }
 

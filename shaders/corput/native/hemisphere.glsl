@@ -12,11 +12,16 @@
 
 #include "corput/native/disk.glsl"
 
+// 1 - u as a fraction of 2^32, from the integer, so that nothing cancels.
+float corput_native_complement(uint u) {
+    return u == 0u ? 1.0 : corput_native_unit(0u - u);
+}
+
 // Uniform direction: z = u.x, phi = 2 pi u.y.
 vec3 corput_native_uniform_hemisphere(uvec2 u) {
-    float z = corput_unit_floor(u.x);
-    float radius = sqrt((1.0 - z) * (1.0 + z));
-    float phi = 6.2831853 * corput_unit_floor(u.y);
+    float z = corput_native_unit(u.x);
+    float radius = sqrt(corput_native_complement(u.x) * (1.0 + z));
+    float phi = 6.2831853 * corput_native_unit(u.y);
     return vec3(radius * cos(phi), radius * sin(phi), z);
 }
 
@@ -33,8 +38,12 @@ uvec2 corput_native_uniform_hemisphere_invert(vec3 direction) {
 
 // Cosine-weighted direction over the concentric disk.
 vec3 corput_native_cosine_hemisphere(uvec2 u) {
-    float radius = max(abs(corput_native_signed_unit(u.x)), abs(corput_native_signed_unit(u.y)));
-    return vec3(corput_native_concentric_disk(u), sqrt((1.0 - radius) * (1.0 + radius)));
+    uint x = u.x < 0x80000000u ? 0x80000000u - u.x : u.x - 0x80000000u;
+    uint y = u.y < 0x80000000u ? 0x80000000u - u.y : u.y - 0x80000000u;
+    uint radius = max(x, y);
+    float z = sqrt(float(0x80000000u - radius) * 4.656612873077393e-10
+        * (1.0 + float(radius) * 4.656612873077393e-10));
+    return vec3(corput_native_concentric_disk(u), z);
 }
 
 // z/pi for z > 0, else 0.
@@ -49,7 +58,7 @@ uvec2 corput_native_cosine_hemisphere_invert(vec3 direction) {
 
 // Cosine-weighted direction over the polar disk: z = sqrt(1 - u.x).
 vec3 corput_native_cosine_hemisphere_polar(uvec2 u) {
-    return vec3(corput_native_polar_disk(u), sqrt(1.0 - corput_unit_floor(u.x)));
+    return vec3(corput_native_polar_disk(u), sqrt(corput_native_complement(u.x)));
 }
 
 // z/pi for z > 0, else 0.

@@ -4,13 +4,18 @@
 //! Pdf: with respect to area, 1/pi.
 //! Mirror: `shaders/corput/native/disk.glsl`.
 
-use crate::reference::unit::unit_floor;
 use glam::{UVec2, Vec2, uvec2, vec2};
 
-/// 2u - 1 in [-1, 1), from 25 leading bits.
+/// u as a fraction of 2^32; rounds to 1 for the highest u, unlike `unit_floor`.
+#[must_use]
+pub fn native_unit(u: u32) -> f32 {
+    u as f32 * 2.328_306_4e-10
+}
+
+/// 2u - 1 in [-1, 1].
 #[must_use]
 pub fn native_signed_unit(u: u32) -> f32 {
-    ((u ^ 0x8000_0000) as i32 >> 7) as f32 * 5.960_464_477_539_062_5e-8
+    (u ^ 0x8000_0000) as i32 as f32 * 4.656_613e-10
 }
 
 /// The fraction of 2^32 nearest below x, for x clamped to [0, 1).
@@ -68,8 +73,8 @@ pub fn native_concentric_disk_invert(p: Vec2) -> UVec2 {
 /// Point of the disk, polar map.
 #[must_use]
 pub fn native_polar_disk(u: UVec2) -> Vec2 {
-    let radius = unit_floor(u.x).sqrt();
-    let phi = std::f32::consts::TAU * unit_floor(u.y);
+    let radius = native_unit(u.x).sqrt();
+    let phi = std::f32::consts::TAU * native_unit(u.y);
     vec2(radius * phi.cos(), radius * phi.sin())
 }
 

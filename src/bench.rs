@@ -1,0 +1,228 @@
+//! Speed, as a ratio to a fill of the same bytes in the same run. Verify first, then
+//! time: a kernel whose words are not the reference's is not timed.
+
+use crate::bulk::Reference;
+use crate::catalog::{Map, Options, Profile, Request, Sequence};
+use crate::kernels::Generator;
+use crate::vulkan::Device;
+use crate::{Error, Result};
+use serde_json::{Value, json};
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Words that each job stores: 2^25, 128 MiB, in dispatches that a buffer holds.
+const WORDS: u64 = 1 << 25;
+
+/// Rounds; the median of them is reported. Fill and jobs take turns.
+const ROUNDS: usize = 9;
+
+/// A measured job.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    /// What was made.
+    pub name: String,
+    /// The kernel.
+    pub kernel: String,
+    /// Points.
+    pub points: u64,
+    /// Bytes stored.
+    pub bytes: u64,
+    /// Device time of the first dispatch, which compiles on some drivers, in seconds.
+    pub cold_s: f64,
+    /// Median device time of all points, in seconds.
+    pub median_s: f64,
+    /// Median absolute deviation of that time.
+    pub deviation_s: f64,
+    /// Median time of a fill of the same bytes on all cores of the host.
+    pub fill_s: f64,
+    /// The goal, where the project has one: a ratio to the fill, at most, or points per
+    /// second, at least.
+    pub goal: Option<Goal>,
+}
+
+/// What a job is to reach.
+#[derive(Clone, Copy, Debug)]
+pub enum Goal {
+    /// At most so many times the fill.
+    Fill(f64),
+    /// At least so many points a second.
+    Rate(f64),
+}
+
+impl Measurement {
+    /// Times the fill.
+    #[must_use]
+    pub fn fills(&self) -> f64 {
+        self.median_s / self.fill_s
+    }
+
+    /// Points per second.
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        self.points as f64 / self.median_s
+    }
+
+    /// Whether the goal is reached; `None` without one.
+    #[must_use]
+    pub fn reached(&self) -> Option<bool> {
+        self.goal.map(|goal| match goal {
+            Goal::Fill(most) => self.fills() <= most,
+            Goal::Rate(least) => self.rate() >= least,
+        })
+    }
+
+    /// The measurement as JSON.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        json!({
+            "name": self.name,
+            "kernel": self.kernel,
+            "points": self.points,
+            "bytes": self.bytes,
+            "cold_s": self.cold_s,
+            "median_s": self.median_s,
+            "deviation_s": self.deviation_s,
+            "fill_s": self.fill_s,
+            "times_fill": self.fills(),
+            "points_per_s": self.rate(),
+            "goal_reached": self.reached(),
+        })
+    }
+}
+
+struct Job {
+    name: &'static str,
+    request: Request,
+    goal: Option<Goal>,
+}
+
+fn jobs() -> Result<Vec<Job>> {
+    let mut jobs = Vec::new();
+    let mut add =
+        |name, words_per_point: u64, goal, change: &dyn Fn(&mut Options) -> Result<()>| {
+            let mut options = Options::new(Sequence::Halton, WORDS / words_per_point);
+            change(&mut options)?;
+            jobs.push(Job {
+                name,
+                request: Request::new(&options)?,
+                goal,
+            });
+            Ok::<(), Error>(())
+        };
+    add("van der Corput", 1, None, &|o| {
+        o.sequence = Sequence::VanDerCorput;
+        Ok(())
+    })?;
+    add("Halton d=2", 2, Some(Goal::Fill(6.0)), &|_| Ok(()))?;
+    add("Halton d=4", 4, None, &|o| {
+        o.dimensions = Some(4);
+        Ok(())
+    })?;
+    add("Hammersley d=2", 2, None, &|o| {
+        o.sequence = Sequence::Hammersley;
+        Ok(())
+    })?;
+    let map = |o: &mut Options, name: &str, profile| {
+        o.map = Some(Map::from_name(name)?);
+        o.profile = profile;
+        Ok(())
+    };
+    add("cosine polar, exact", 3, Some(Goal::Rate(0.15e9)), &|o| {
+        map(o, "cosine-hemisphere-polar", Profile::Exact)
+    })?;
+    add("cosine concentric, exact", 3, None, &|o| {
+        map(o, "cosine-hemisphere", Profile::Exact)
+    })?;
+    add("cosine polar, native", 3, None, &|o| {
+        map(o, "cosine-hemisphere-polar", Profile::Native)
+    })?;
+    Ok(jobs)
+}
+
+/// Verifies and measures every job.
+///
+/// # Errors
+/// Those of the device, and [`Error::CheckFailed`] for a kernel that is not exact.
+pub fn run(device: &Arc<Device>, progress: &mut dyn FnMut(&str)) -> Result<Vec<Measurement>> {
+    let mut results = Vec::new();
+    for job in jobs()? {
+        progress(job.name);
+        results.push(measure(device, &job)?);
+    }
+    Ok(results)
+}
+
+fn measure(device: &Arc<Device>, job: &Job) -> Result<Measurement> {
+    let request = &job.request;
+    let mut generator = Generator::new(device, request)?;
+    let limit = generator.limit().min(request.count);
+    let probe = limit.min(1 << 16);
+    let cold = generator.dispatch(0, probe)?;
+    if request.profile == Profile::Exact {
+        verify(&mut generator, request, probe)?;
+    }
+    let bytes = request.count * 4 * u64::from(request.words_per_point());
+    let mut memory = vec![1u8; bytes as usize];
+    let (mut times, mut fills) = (Vec::new(), Vec::new());
+    for round in 0..ROUNDS {
+        fills.push(fill(&mut memory, round as u8));
+        let mut seconds = 0.0;
+        let mut start = 0;
+        while start < request.count {
+            let points = limit.min(request.count - start);
+            let timing = generator.dispatch(start, points)?;
+            seconds += timing.device_ns.unwrap_or(timing.host_ns) * 1e-9;
+            start += points;
+        }
+        times.push(seconds);
+    }
+    let median_s = median(&mut times);
+    let mut away: Vec<f64> = times.iter().map(|t| (t - median_s).abs()).collect();
+    Ok(Measurement {
+        name: job.name.to_owned(),
+        kernel: generator.kernel_name().to_owned(),
+        points: request.count,
+        bytes,
+        cold_s: cold.device_ns.unwrap_or(cold.host_ns) * 1e-9,
+        median_s,
+        deviation_s: median(&mut away),
+        fill_s: median(&mut fills),
+        goal: job.goal,
+    })
+}
+
+/// The first points and the last ones, word for word.
+fn verify(generator: &mut Generator, request: &Request, points: u64) -> Result<()> {
+    let reference = Reference::new(request);
+    let mut expected = vec![0; (points * u64::from(request.words_per_point())) as usize];
+    for start in [0, request.count - points] {
+        generator.dispatch(start, points)?;
+        reference.fill(start, &mut expected);
+        if !generator.read(points, |words| words == expected)? {
+            return Err(Error::CheckFailed {
+                failures: 1,
+                total: 1,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Seconds to fill memory whose pages were touched before, with all cores.
+fn fill(memory: &mut [u8], value: u8) -> f64 {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let share = memory.len().div_ceil(threads);
+    let start = Instant::now();
+    std::thread::scope(|scope| {
+        for part in memory.chunks_mut(share) {
+            scope.spawn(move || black_box(part).fill(value));
+        }
+    });
+    start.elapsed().as_secs_f64()
+}
+
+fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}

@@ -1,0 +1,105 @@
+//! `corput demo`.
+
+use super::args::DemoArgs;
+use super::{host, print};
+use comfy_table::{CellAlignment, Table, presets};
+use corput::demo::{self, Demo};
+use corput::{Error, vulkan::Device};
+use std::sync::Arc;
+
+pub fn run(args: &DemoArgs) -> anyhow::Result<()> {
+    let device = host::open(args.device.as_deref())?;
+    std::fs::create_dir_all(&args.out).map_err(|source| Error::Output {
+        path: args.out.clone(),
+        problem: source.to_string(),
+        remedy: "choose a folder that can be made and written with --out".into(),
+    })?;
+    print(&host::line(device.info()));
+    let found = demo::run(&device, &args.env, &args.out, &mut |step| {
+        eprintln!("{step}");
+    })?;
+    print(&report(args, &found, &device));
+    host::validated(&device)?;
+    if found.all_equal() {
+        return Ok(());
+    }
+    let sums = found.estimates.iter().filter(|e| !e.equal).count();
+    let wrong = found
+        .comparisons
+        .iter()
+        .filter(|c| c.mismatches > 0)
+        .count();
+    Err(Error::CheckFailed {
+        failures: sums + wrong,
+        total: found.estimates.len() + found.comparisons.len(),
+    }
+    .into())
+}
+
+fn report(args: &DemoArgs, found: &Demo, device: &Arc<Device>) -> String {
+    let mut lines = Vec::new();
+    for c in &found.comparisons {
+        lines.push(format!(
+            "{} {}: {} differ from the CPU's; {:.1} ms on the device, {:.3} G points/s",
+            c.compared,
+            c.name,
+            c.mismatches,
+            c.device_s * 1e3,
+            c.compared as f64 / c.device_s / 1e9
+        ));
+    }
+    let [width, height] = found.size;
+    lines.push(format!(
+        "\nirradiance of {} ({width} x {height}, {} negative texels taken as 0), luminance:",
+        args.env.display(),
+        found.clamped
+    ));
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_header([
+        "normal",
+        "points",
+        "estimate",
+        "truth",
+        "relative error",
+        "device ms",
+        "sum",
+    ]);
+    for e in &found.estimates {
+        let (estimate, truth) = e.luminances();
+        table.add_row([
+            e.axis_name().to_owned(),
+            e.count.to_string(),
+            format!("{estimate:.6}"),
+            format!("{truth:.6}"),
+            format!("{:.2e}", e.relative_error()),
+            format!("{:.3}", e.device_ms),
+            if e.equal { "= CPU" } else { "NOT the CPU's" }.to_owned(),
+        ]);
+    }
+    for column in 1..6 {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    lines.push(table.to_string());
+    let files: Vec<String> = found
+        .files
+        .iter()
+        .map(|f| f.display().to_string())
+        .collect();
+    lines.push(format!("\nwritten: {}", files.join(", ")));
+    let sums = found.estimates.iter().filter(|e| e.equal).count();
+    let equal: u64 = found
+        .comparisons
+        .iter()
+        .map(|c| c.compared - c.mismatches)
+        .sum();
+    let all: u64 = found.comparisons.iter().map(|c| c.compared).sum();
+    lines.push(format!(
+        "equal to the CPU bit for bit on {}: {equal} of {all} points and directions, {sums} of {} \
+         irradiance sums",
+        device.info().name,
+        found.estimates.len()
+    ));
+    lines.join("\n")
+}

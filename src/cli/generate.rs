@@ -1,0 +1,109 @@
+//! `corput generate`.
+
+use super::args::GenerateArgs;
+use super::{host, interrupt, progress};
+use corput::bulk::Reference;
+use corput::catalog::{Engine, Map, Options, Output, Profile, Request, Sequence};
+use corput::kernels::Generator;
+use corput::report::{Element, Format, Layout, Sink, Target};
+use corput::vulkan::Device;
+use corput::{Error, Result};
+use serde_json::{Value, json};
+use std::sync::Arc;
+
+pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
+    let request = request(args)?;
+    let target = Target::from(args.out.as_path());
+    let format = match (&args.format, &target) {
+        (Some(name), _) => name.parse()?,
+        (None, Target::Stdout) => Format::Npy,
+        (None, Target::File(path)) => Format::from_path(path)?,
+    };
+    let layout = Layout {
+        rows: request.count,
+        columns: request.words_per_point(),
+        element: match request.output {
+            Output::Fractions => Element::U32,
+            Output::Floats => Element::F32,
+        },
+    };
+    let asked = host::asked(args.device.as_deref());
+    let mut device = None;
+    let mut engine: Box<dyn Engine> = if host::is_cpu(asked.as_deref()) {
+        Box::new(Reference::new(&request))
+    } else {
+        let opened = host::open(args.device.as_deref())?;
+        let generator = Generator::new(&opened, &request)?;
+        device = Some(opened);
+        Box::new(generator)
+    };
+    interrupt::clean_up();
+    let sink = Sink::open(&target, format, layout, arguments(args, device.as_ref()))?;
+    stream(engine.as_mut(), &request, sink)?;
+    if let Some(device) = &device {
+        host::validated(device)?;
+    }
+    Ok(())
+}
+
+fn request(args: &GenerateArgs) -> Result<Request> {
+    Request::new(&Options {
+        sequence: Sequence::from_name(&args.sequence)?,
+        count: args.count,
+        first: args.first,
+        dimensions: args.dims,
+        bases: args.bases.clone(),
+        total: args.total,
+        index_first: args.index_first,
+        seed: args.seed,
+        fractions: args.fractions,
+        map: args.map.as_deref().map(Map::from_name).transpose()?,
+        with_pdf: args.with_pdf,
+        profile: Profile::from_name(&args.profile)?,
+    })
+}
+
+/// Chunk after chunk from the engine to the file.
+fn stream(engine: &mut dyn Engine, request: &Request, mut sink: Sink) -> Result<()> {
+    let bar = progress::points(request.count);
+    let width = u64::from(request.words_per_point());
+    let mut done = 0;
+    while done < request.count {
+        let points = engine.chunk().clamp(1, request.count - done);
+        engine.make(done, points, &mut |words| {
+            if interrupt::seen() {
+                return Err(Error::Interrupted {
+                    done: bar.position(),
+                    total: request.count,
+                });
+            }
+            sink.write(words)?;
+            bar.inc(words.len() as u64 / width);
+            Ok(())
+        })?;
+        done += points;
+    }
+    sink.finish()?;
+    bar.finish_and_clear();
+    Ok(())
+}
+
+/// What a sidecar records: the arguments, and nothing that changes the bytes of the
+/// exact profile but them.
+fn arguments(args: &GenerateArgs, device: Option<&Arc<Device>>) -> Value {
+    json!({
+        "sequence": args.sequence,
+        "count": args.count,
+        "first": args.first,
+        "dims": args.dims,
+        "bases": args.bases,
+        "total": args.total,
+        "index_first": args.index_first,
+        "seed": args.seed,
+        "fractions": args.fractions,
+        "map": args.map,
+        "with_pdf": args.with_pdf,
+        "profile": args.profile,
+        "device": device.map_or_else(|| "cpu".to_owned(), |device| host::line(device.info())),
+    })
+}

@@ -1,0 +1,68 @@
+//! The device that the user chose.
+
+use corput::vulkan::{Device, DeviceInfo, Instance, InstanceOptions, select};
+use corput::{Error, Result};
+use std::sync::Arc;
+
+/// The instance, with validation if `CORPUT_VALIDATION=1`.
+pub fn instance() -> Result<Arc<Instance>> {
+    let validation = std::env::var_os("CORPUT_VALIDATION").is_some_and(|v| v == "1");
+    Instance::new(&InstanceOptions { validation })
+}
+
+/// What `--device` or `CORPUT_DEVICE` asks for.
+pub fn asked(argument: Option<&str>) -> Option<String> {
+    let variable = || {
+        std::env::var("CORPUT_DEVICE")
+            .ok()
+            .filter(|v| !v.is_empty())
+    };
+    argument.map(str::to_owned).or_else(variable)
+}
+
+/// Whether that is the reference on the CPU.
+pub fn is_cpu(asked: Option<&str>) -> bool {
+    asked.is_some_and(|name| name.eq_ignore_ascii_case("cpu"))
+}
+
+/// Opens the chosen device.
+pub fn open(argument: Option<&str>) -> Result<Arc<Device>> {
+    let asked = asked(argument);
+    if is_cpu(asked.as_deref()) {
+        return Err(Error::Arguments {
+            asked: "--device cpu".into(),
+            limit: "this command compares a Vulkan device with the CPU, so it needs one".into(),
+            remedy: "choose one that `corput devices` lists".into(),
+        });
+    }
+    let instance = instance()?;
+    let devices = instance.devices()?;
+    Device::open(&instance, select(&devices, asked.as_deref())?)
+}
+
+/// Fails where the validation layer has found something.
+pub fn validated(device: &Arc<Device>) -> Result<()> {
+    let said = device.instance().take_validation_messages();
+    if said.is_empty() {
+        return Ok(());
+    }
+    for message in &said {
+        eprintln!("validation: {message}");
+    }
+    Err(Error::CheckFailed {
+        failures: said.len(),
+        total: said.len(),
+    })
+}
+
+/// One line that names a device.
+pub fn line(info: &DeviceInfo) -> String {
+    let (major, minor, patch) = info.api_version;
+    format!(
+        "{} ({}), {} {}, Vulkan {major}.{minor}.{patch}",
+        info.name,
+        info.kind.name(),
+        info.driver_name,
+        info.driver_info
+    )
+}

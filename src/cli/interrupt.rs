@@ -1,0 +1,32 @@
+//! Ctrl-C: work that keeps files stops at its next step, any other at once.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+static CLEANS_UP: AtomicBool = AtomicBool::new(false);
+
+/// Exit code of work that was cut off.
+const CUT_OFF: i32 = 4;
+
+/// Listens for Ctrl-C, termination and hang-up.
+pub fn install() {
+    let handler = || {
+        let again = INTERRUPTED.swap(true, Ordering::SeqCst);
+        if again || !CLEANS_UP.load(Ordering::SeqCst) {
+            std::process::exit(CUT_OFF);
+        }
+    };
+    if let Err(error) = ctrlc::set_handler(handler) {
+        eprintln!("corput: Ctrl-C will not be handled: {error}");
+    }
+}
+
+/// From now on the work looks at [`seen`] itself, and leaves nothing half-written.
+pub fn clean_up() {
+    CLEANS_UP.store(true, Ordering::SeqCst);
+}
+
+/// Whether the user wants to stop.
+pub fn seen() -> bool {
+    INTERRUPTED.load(Ordering::SeqCst)
+}

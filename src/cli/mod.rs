@@ -1,0 +1,52 @@
+//! Commands: parse, call, print, exit code.
+
+mod args;
+mod bench;
+mod check;
+mod demo;
+mod devices;
+mod generate;
+mod headers;
+mod host;
+mod interrupt;
+mod progress;
+
+use args::{Cli, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+/// Exit code for errors that are not this crate's: failed while running.
+const FAILED: u8 = 4;
+
+/// Runs the command of the arguments.
+pub fn main() -> ExitCode {
+    // clap prints usage errors and exits with 2, help and version with 0.
+    let cli = Cli::parse();
+    interrupt::install();
+    let result = match &cli.command {
+        Command::Devices(args) => devices::run(args),
+        Command::Generate(args) => generate::run(args),
+        Command::Check(args) => check::run(args),
+        Command::Headers(args) => headers::run(args),
+        Command::Demo(args) => demo::run(args),
+        Command::Bench(args) => bench::run(args),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("corput: {error:#}");
+            let code = error
+                .downcast_ref::<corput::Error>()
+                .map_or(FAILED, corput::Error::exit_code);
+            ExitCode::from(code)
+        }
+    }
+}
+
+/// Prints a line on standard output; a closed pipe ends the command quietly with 4.
+pub fn print(text: &str) {
+    use std::io::Write;
+    if writeln!(std::io::stdout(), "{text}").is_err() {
+        std::process::exit(FAILED.into());
+    }
+}

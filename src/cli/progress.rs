@@ -1,0 +1,36 @@
+//! A progress bar on a terminal, and nothing on a pipe.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+
+/// A bar over so many points, with rate and time left.
+pub fn points(total: u64) -> ProgressBar {
+    let bar = bar(total);
+    bar.set_style(style(
+        "{bar:32} {human_pos}/{human_len} points, {per_sec}, {eta} left",
+    ));
+    bar
+}
+
+/// A counter of rows of unknown number.
+pub fn rows() -> ProgressBar {
+    let bar = if std::io::stderr().is_terminal() {
+        ProgressBar::new_spinner()
+    } else {
+        ProgressBar::hidden()
+    };
+    bar.set_style(style("{spinner} {pos} rows, {elapsed}: {msg}"));
+    bar
+}
+
+fn bar(total: u64) -> ProgressBar {
+    if std::io::stderr().is_terminal() {
+        ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr_with_hz(8))
+    } else {
+        ProgressBar::hidden()
+    }
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}
