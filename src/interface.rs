@@ -250,7 +250,7 @@ pub mod map {
 }
 
 /// Words of a column in the table of `generate`, and constants of a column.
-pub const COLUMN_WORDS: u32 = 13;
+pub const COLUMN_WORDS: u32 = 11;
 
 macro_rules! columns {
     ($($extra:expr,)* ; $(($index:literal, $prefix:literal)),*) => {
@@ -267,9 +267,7 @@ macro_rules! columns {
                 Constant { id: 23 + $index * 16, name: concat!($prefix, "_POWER_SHIFT"), default: 14 },
                 Constant { id: 24 + $index * 16, name: concat!($prefix, "_POWER"), default: 1 },
                 Constant { id: 25 + $index * 16, name: concat!($prefix, "_QUOTIENT"), default: 0 },
-                Constant { id: 26 + $index * 16, name: concat!($prefix, "_REMAINDER"), default: 0 },
-                Constant { id: 27 + $index * 16, name: concat!($prefix, "_MAGIC"), default: 1 },
-                Constant { id: 28 + $index * 16, name: concat!($prefix, "_SHIFT"), default: 0 },
+                Constant { id: 26 + $index * 16, name: concat!($prefix, "_FRACTION"), default: 0 },
             )*
         ]
     };

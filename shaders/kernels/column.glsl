@@ -14,7 +14,7 @@ const uint RADICAL = 3u;
 
 struct Column {
     uint kind;
-    // For GRID: power is N, quotient and remainder the grid point of 1.
+    // For GRID: power is N, quotient and fraction the grid point of 1.
     CorputOdometerBase base;
 };
 
@@ -53,7 +53,7 @@ Cursor cursor_next(Cursor cursor, Column c) {
         cursor.odometer = corput_odometer_next(cursor.odometer, c.base);
     } else if (c.kind == GRID) {
         cursor.grid = corput_hammersley_next(cursor.grid,
-            CorputGridPoint(c.base.quotient, c.base.remainder), c.base.power);
+            CorputGridPoint(c.base.quotient, c.base.fraction), c.base.power);
     }
     return cursor;
 }

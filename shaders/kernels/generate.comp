@@ -4,7 +4,7 @@
 #include "interface.glsl"
 #include "column.glsl"
 
-const uint COLUMN_WORDS = 13u;
+const uint COLUMN_WORDS = 11u;
 
 Column column_load(uint index) {
     uint at = index * COLUMN_WORDS;
@@ -12,8 +12,7 @@ Column column_load(uint index) {
         CorputOdometerBase(
             CorputBase(columns[at + 1u], columns[at + 2u], columns[at + 3u], columns[at + 4u],
                 columns[at + 5u], columns[at + 6u], columns[at + 7u]),
-            columns[at + 8u], columns[at + 9u], columns[at + 10u], columns[at + 11u],
-            columns[at + 12u]));
+            columns[at + 8u], columns[at + 9u], columns[at + 10u]));
 }
 
 uint word(uint at) {

@@ -9,7 +9,7 @@
         CorputOdometerBase(                                                                  \
             CorputBase(P##_BASE, P##_DIGITS, P##_GROUP_POWER, P##_BASE_MAGIC, P##_BASE_SHIFT, \
                 P##_POWER_MAGIC, P##_POWER_SHIFT),                                           \
-            P##_POWER, P##_QUOTIENT, P##_REMAINDER, P##_MAGIC, P##_SHIFT))
+            P##_POWER, P##_QUOTIENT, P##_FRACTION))
 
 // Cursors of up to four columns; those past TILE_COLUMNS stand still.
 struct Tile {

@@ -3,27 +3,23 @@
 //! Source: the von Neumann-Kakutani odometer, phi_b(n + 1) = phi_b(n) + b^-j +
 //! b^-(j+1) - 1, where j low digits of n are b - 1; here on the low digits alone, with
 //! the exact chain over the high digits made once per window.
-//! Domain: a window of at most `power` consecutive indices, bases 3 to 181.
+//! Domain: a window of at most `power` consecutive indices, bases 3 to 251.
 //! Range: the same bits as `radical_inverse`, for every n.
 //! Mirror: `shaders/corput/odometer.glsl`.
 
 use crate::reference::radical_inverse::{Base, radical_inverse_table};
 
-/// A base with the constants of its low digits: power = base^k <= 181, k <= 4.
+/// A base with the constants of its low digits: power = base^k <= 255, k <= 5.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OdometerBase {
     /// The base with what the chain over the high digits needs.
     pub radical: Base,
     /// base^k, at least the window's length.
     pub power: u32,
-    /// floor(2^32 / power).
+    /// 2^32 / power: whole part.
     pub quotient: u32,
-    /// 2^32 modulo power.
-    pub remainder: u32,
-    /// floor(x / power) = x * magic >> shift, for x < power * (power + 1).
-    pub magic: u32,
-    /// See `magic`.
-    pub shift: u32,
+    /// 2^32 / power: fraction of 2^16, rounded down.
+    pub fraction: u32,
 }
 
 /// Where a window stands.
@@ -31,14 +27,14 @@ pub struct OdometerBase {
 pub struct Odometer {
     /// The low digits of the index, mirrored: 0 to power - 1.
     pub reversed: u32,
-    /// Quotient by power of the chain over the high digits, in this block.
+    /// The chain over the high digits divided by power, in this block: whole part.
     pub quotient: u32,
-    /// Remainder by power of the chain over the high digits, in this block.
-    pub remainder: u32,
-    /// The same quotient in the next block.
+    /// Its fraction of 2^16, rounded down, plus 2^16 - 1.
+    pub fraction: u32,
+    /// The same whole part in the next block.
     pub next_quotient: u32,
-    /// The same remainder in the next block.
-    pub next_remainder: u32,
+    /// The same fraction in the next block.
+    pub next_fraction: u32,
 }
 
 /// The window that starts at index n.
@@ -62,9 +58,9 @@ pub fn odometer_start(n: u32, b: OdometerBase) -> Odometer {
     Odometer {
         reversed,
         quotient,
-        remainder: y - quotient * b.power,
+        fraction: ((y - quotient * b.power) << 16) / b.power + 0xffff,
         next_quotient,
-        next_remainder: next - next_quotient * b.power,
+        next_fraction: ((next - next_quotient * b.power) << 16) / b.power + 0xffff,
     }
 }
 
@@ -72,21 +68,23 @@ pub fn odometer_start(n: u32, b: OdometerBase) -> Odometer {
 #[inline]
 #[must_use]
 pub fn odometer_value(o: Odometer, b: OdometerBase) -> u32 {
-    // (reversed * 2^32 + y) / power, its whole parts taken out of the ceiling.
-    let rest = o.reversed * b.remainder + o.remainder + b.power - 1;
-    o.reversed * b.quotient + o.quotient + ((rest * b.magic) >> b.shift)
+    // The ceiling of (reversed * 2^32 + y) / power. Its fraction is a multiple of
+    // 1 / power >= (power + 1) / 2^16; the fractions of 2^16 fall short by less than
+    // power / 2^16, so adding 1 - 2^-16 carries exactly where the ceiling does.
+    o.reversed * b.quotient + o.quotient + ((o.reversed * b.fraction + o.fraction) >> 16)
 }
 
 /// The window one index on.
 #[inline]
 #[must_use]
 pub fn odometer_next(o: Odometer, b: OdometerBase) -> Odometer {
-    // Weights of the first four digits; past the last digit a weight is 0, and the
+    // Weights of the first five digits; past the last digit a weight is 0, and the
     // step of that line is the wrap to 0.
     let first = b.power / b.radical.base;
     let second = first / b.radical.base;
     let third = second / b.radical.base;
     let fourth = third / b.radical.base;
+    let fifth = fourth / b.radical.base;
     let step = if o.reversed < b.power - first {
         first
     } else if o.reversed < b.power - second {
@@ -95,6 +93,8 @@ pub fn odometer_next(o: Odometer, b: OdometerBase) -> Odometer {
         (second + third).wrapping_sub(b.power)
     } else if o.reversed < b.power - fourth {
         (third + fourth).wrapping_sub(b.power)
+    } else if o.reversed < b.power - fifth {
+        (fourth + fifth).wrapping_sub(b.power)
     } else {
         1u32.wrapping_sub(b.power)
     };
@@ -103,12 +103,8 @@ pub fn odometer_next(o: Odometer, b: OdometerBase) -> Odometer {
     Odometer {
         reversed,
         quotient: if wrapped { o.next_quotient } else { o.quotient },
-        remainder: if wrapped {
-            o.next_remainder
-        } else {
-            o.remainder
-        },
+        fraction: if wrapped { o.next_fraction } else { o.fraction },
         next_quotient: o.next_quotient,
-        next_remainder: o.next_remainder,
+        next_fraction: o.next_fraction,
     }
 }

@@ -36,8 +36,9 @@ pub fn radical_base(base: u32) -> Base {
     }
 }
 
-/// The largest power of a base for which the odometer's products fit in 32 bits.
-const ODOMETER_LIMIT: u32 = 181;
+/// The largest power of a base for which the odometer is exact: power (power + 1) may
+/// be 2^16 at most.
+const ODOMETER_LIMIT: u32 = 255;
 
 /// What the odometer in this base needs for windows of `window` indices; `None` for
 /// base 2, which has no use for it, and where no power of the base fits.
@@ -49,19 +50,14 @@ pub fn odometer_base(base: u32, window: u32) -> Option<OdometerBase> {
         power = power.checked_mul(base)?;
         digits += 1;
     }
-    if base < 3 || power > ODOMETER_LIMIT || digits > 4 {
+    if base < 3 || power > ODOMETER_LIMIT || digits > 5 {
         return None;
     }
-    // x < power (power + 1): with 2^shift >= power^2 (power + 1), the error of
-    // magic = ceil(2^shift / power) stays below 1 / power.
-    let shift = 64 - (u64::from(power).pow(2) * u64::from(power + 1) - 1).leading_zeros();
-    let magic = ((1u64 << shift).div_ceil(u64::from(power))) as u32;
+    let wide = u64::from(power);
     Some(OdometerBase {
         radical: radical_base(base),
         power,
-        quotient: ((1u64 << 32) / u64::from(power)) as u32,
-        remainder: ((1u64 << 32) % u64::from(power)) as u32,
-        magic,
-        shift,
+        quotient: ((1u64 << 32) / wide) as u32,
+        fraction: (((1u64 << 32) % wide << 16) / wide) as u32,
     })
 }

@@ -99,15 +99,15 @@ fn tiled(name: &'static str, work: &Work) -> Plan {
     // A GPU's lanes should write side by side; a CPU's run on by themselves, the longer
     // the better, as far as every column has an odometer of that length.
     let odometers = |tile| {
-        let without = |column: &&Column| matches!(column, Column::Radical(p) if odometer_base(*p, tile).is_none());
-        work.columns.iter().filter(without).count()
+        let has = |column: &Column| match column {
+            Column::Radical(prime) => odometer_base(*prime, tile).is_some(),
+            Column::Reversed | Column::Grid(_) => true,
+        };
+        work.columns.iter().all(has)
     };
-    let tile = match work.cpu {
-        true if odometers(64) == 0 => 64,
-        true if odometers(32) == 0 => 32,
-        true => 16,
-        false => 4,
-    };
+    // Just below 3^5, 5^3 and 7^2.
+    let longest = [240, 120, 48].into_iter().find(|&tile| odometers(tile));
+    let tile = if work.cpu { longest.unwrap_or(16) } else { 4 };
     let mut plan = Plan {
         kernel: kernel(name),
         specialization: Vec::new(),
@@ -168,7 +168,7 @@ fn column_words(column: Column, window: u32) -> [u32; COLUMN_WORDS as usize] {
             let step = hammersley_start(u32::from(written != 1), written);
             base.power = written;
             base.quotient = step.fraction;
-            base.remainder = step.remainder;
+            base.fraction = step.remainder;
             column_kind::GRID
         }
     };
@@ -184,8 +184,6 @@ fn column_words(column: Column, window: u32) -> [u32; COLUMN_WORDS as usize] {
         r.power_shift,
         base.power,
         base.quotient,
-        base.remainder,
-        base.magic,
-        base.shift,
+        base.fraction,
     ]
 }
