@@ -94,7 +94,7 @@ pub fn run(
             add(functions::check(device, function, "evaluate_portable")?);
         }
     }
-    for case in points::cases() {
+    for case in points::cases()? {
         if wanted(&[&case.name, case.kernel]) {
             add(points::check(device, &case)?);
         }

@@ -9,8 +9,8 @@ use std::sync::Arc;
 /// Evaluates a function of an `evaluate` kernel.
 pub struct Evaluator {
     kernel: &'static Kernel,
-    given: Pipeline,
-    indexed: Pipeline,
+    id: u32,
+    words: Vec<u32>,
     device: Arc<Device>,
 }
 
@@ -31,23 +31,24 @@ impl Evaluator {
     /// # Errors
     /// Those of the device.
     pub fn with_module(device: &Arc<Device>, name: &str, id: u32, words: &[u32]) -> Result<Self> {
-        let row = kernel(name)?;
-        let make = |indexed| {
-            let constants: Vec<(u32, u32)> = [
-                constant(row, "FUNCTION", id),
-                constant(row, "INDEXED", indexed),
-            ]
-            .into_iter()
-            .flatten()
-            .collect();
-            pipeline(device, row, words, &constants)
-        };
         Ok(Self {
-            kernel: row,
-            given: make(0)?,
-            indexed: make(1)?,
+            kernel: kernel(name)?,
+            id,
+            words: words.to_vec(),
             device: Arc::clone(device),
         })
+    }
+
+    /// The pipeline over a buffer of arguments, or over indices.
+    fn pipeline(&self, indexed: bool) -> Result<Pipeline> {
+        let constants: Vec<(u32, u32)> = [
+            constant(self.kernel, "FUNCTION", self.id),
+            constant(self.kernel, "INDEXED", u32::from(indexed)),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        pipeline(&self.device, self.kernel, &self.words, &constants)
     }
 
     /// Results for these arguments, four words each.
@@ -55,6 +56,7 @@ impl Evaluator {
     /// # Errors
     /// Those of the device.
     pub fn run(&self, arguments: &[[u32; 4]]) -> Result<Vec<[u32; 4]>> {
+        let pipeline = self.pipeline(false)?;
         let mut all = Vec::with_capacity(arguments.len());
         for part in arguments.chunks(CHUNK) {
             let bytes = 16 * part.len() as u64;
@@ -65,7 +67,7 @@ impl Evaluator {
                 invocations: part.len() as u32,
                 stride: 1,
             };
-            all.extend(self.dispatch(&self.given, &input, &push)?);
+            all.extend(self.dispatch(&pipeline, &input, &push)?);
         }
         Ok(all)
     }
@@ -82,7 +84,7 @@ impl Evaluator {
             invocations: count,
             stride,
         };
-        self.dispatch(&self.indexed, &unused, &push)
+        self.dispatch(&self.pipeline(true)?, &unused, &push)
     }
 
     fn dispatch(
