@@ -11,7 +11,7 @@
 #define CORPUT_ENVMAP_GLSL
 
 #ifndef CORPUT_ENVMAP_EDGE
-#error "envmap.glsl: define CORPUT_ENVMAP_EDGE(i), the bits of the float cos(pi i / height), first"
+#error define CORPUT_ENVMAP_EDGE(i), the bits of the float cos(pi i / height), before this header
 #endif
 
 #include "corput/elementary.glsl"

@@ -11,7 +11,7 @@
 #define CORPUT_HALTON_GLSL
 
 #ifndef CORPUT_PRIME
-#error "halton.glsl: define CORPUT_PRIME(d) first, or include corput/primes.glsl and define it as corput_prime(d)"
+#error define CORPUT_PRIME(d), the d-th prime, before this header; corput/primes.glsl has corput_prime(d)
 #endif
 
 #include "corput/radical_inverse.glsl"
