@@ -110,7 +110,13 @@ fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
             (a[0].max(a[1]) >> 1).max(1),
         )),
         "radical_inverse" => one(radical_inverse::radical_inverse(a[0], a[1])),
-        "hammersley" => one(hammersley::hammersley(a[0], a[1])),
+        "hammersley" => {
+            let point = hammersley::hammersley_start(a[0], a[1]);
+            let step = hammersley::hammersley_start(1, a[1]);
+            let next = hammersley::hammersley_next(point, step, a[1]);
+            let value = hammersley::hammersley(a[0], a[1]);
+            [value, point.fraction, point.remainder, next.remainder]
+        }
         "concentric_disk" => planar(disk::concentric_disk(u)),
         "polar_disk" => planar(disk::polar_disk(u)),
         "uniform_hemisphere" => {
