@@ -10,8 +10,10 @@ mod native;
 mod points;
 mod rows;
 
-pub use inputs::mix;
-pub use native::NATIVE;
+pub use functions::compare_function;
+pub use inputs::{arguments, mix};
+pub use native::{NATIVE, NativeRow, compare_native};
+pub use points::{Case, compare_points};
 pub use rows::{Row, Verdict};
 
 use crate::catalog::{FUNCTIONS, Tier};

@@ -64,8 +64,19 @@ pub const NATIVE: &[NativeRow] = &[
 /// Checks a native function.
 pub fn check(device: &Arc<Device>, row: &NativeRow) -> Result<Row> {
     let evaluator = Evaluator::new(device, "evaluate_native", row.id)?;
-    let arguments = arguments(row.kind);
-    let results = evaluator.run(&arguments)?;
+    compare_native(&evaluator, row, &arguments(row.kind))
+}
+
+/// Holds a native function to its bound, on an evaluator and arguments of the caller's.
+///
+/// # Errors
+/// Those of the device.
+pub fn compare_native(
+    evaluator: &Evaluator,
+    row: &NativeRow,
+    arguments: &[[u32; 4]],
+) -> Result<Row> {
+    let results = evaluator.run(arguments)?;
     let mut worst = 0.0;
     let mut witness = String::new();
     for (&a, &got) in arguments.iter().zip(&results) {

@@ -125,6 +125,17 @@ pub fn cases() -> Vec<Case> {
 
 /// Runs a case.
 pub fn check(device: &Arc<Device>, case: &Case) -> Result<Row> {
+    compare_points(case, |request| words(device, case.kernel, request))
+}
+
+/// Compares the words that `make` gives for each request with the reference.
+///
+/// # Errors
+/// Those of `make`.
+pub fn compare_points(
+    case: &Case,
+    mut make: impl FnMut(&Request) -> Result<Vec<u32>>,
+) -> Result<Row> {
     let mut row = Row {
         name: case.name.clone(),
         kernel: case.kernel.to_owned(),
@@ -139,7 +150,7 @@ pub fn check(device: &Arc<Device>, case: &Case) -> Result<Row> {
         verdict: Verdict::Failed,
     };
     for request in &case.requests {
-        let got = words(device, case.kernel, request)?;
+        let got = make(request)?;
         let width = request.words_per_point() as usize;
         let mut expected = vec![0; request.count as usize * width];
         Reference::new(request).fill(0, &mut expected);
