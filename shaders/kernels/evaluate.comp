@@ -31,6 +31,15 @@ uvec4 bits4(vec3 v, float w) {
     return uvec4(floatBitsToUint(v), floatBitsToUint(w));
 }
 
+#if !defined(KERNEL_FRAME) && !defined(KERNEL_NATIVE)
+// k/N; the division behind it, and the remainder one step on.
+uvec4 grid(uint k, uint count) {
+    CorputGridPoint point = corput_hammersley_start(k, count);
+    CorputGridPoint next = corput_hammersley_next(point, corput_hammersley_start(1u, count), count);
+    return uvec4(corput_hammersley(k, count), point.fraction, point.remainder, next.remainder);
+}
+#endif
+
 uvec4 evaluate(uvec4 a) {
 #ifdef KERNEL_FRAME
     CorputFrame frame = corput_frame(vec3(f(a.x), f(a.y), f(a.z)));
@@ -106,7 +115,7 @@ uvec4 evaluate(uvec4 a) {
     case 11u:
         return uvec4(corput_radical_inverse(a.x, a.y), 0u, 0u, 0u);
     case 12u:
-        return uvec4(corput_hammersley(a.x, a.y), 0u, 0u, 0u);
+        return grid(a.x, a.y);
     case 13u:
         return bits2(corput_concentric_disk(a.xy));
     case 14u:

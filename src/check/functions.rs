@@ -16,13 +16,21 @@ use std::sync::Arc;
 /// Checks a function as a kernel evaluates it.
 pub fn check(device: &Arc<Device>, function: &Function, kernel: &str) -> Result<Row> {
     let evaluator = Evaluator::new(device, kernel, function.id)?;
-    check_with(&evaluator, function, kernel)
+    compare_function(&evaluator, function, kernel, &arguments(function.kind))
 }
 
-/// The same with an evaluator of the caller's.
-pub fn check_with(evaluator: &Evaluator, function: &Function, kernel: &str) -> Result<Row> {
-    let arguments = arguments(function.kind);
-    let results = evaluator.run(&arguments)?;
+/// Compares a function with the reference and the judge, on an evaluator and arguments
+/// of the caller's; `kernel` names the row.
+///
+/// # Errors
+/// Those of the device.
+pub fn compare_function(
+    evaluator: &Evaluator,
+    function: &Function,
+    kernel: &str,
+    arguments: &[[u32; 4]],
+) -> Result<Row> {
+    let results = evaluator.run(arguments)?;
     let mut mismatches = 0;
     let mut worst = 0.0;
     let mut mismatch = None;
@@ -110,7 +118,13 @@ fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
             (a[0].max(a[1]) >> 1).max(1),
         )),
         "radical_inverse" => one(radical_inverse::radical_inverse(a[0], a[1])),
-        "hammersley" => one(hammersley::hammersley(a[0], a[1])),
+        "hammersley" => {
+            let point = hammersley::hammersley_start(a[0], a[1]);
+            let step = hammersley::hammersley_start(1, a[1]);
+            let next = hammersley::hammersley_next(point, step, a[1]);
+            let value = hammersley::hammersley(a[0], a[1]);
+            [value, point.fraction, point.remainder, next.remainder]
+        }
         "concentric_disk" => planar(disk::concentric_disk(u)),
         "polar_disk" => planar(disk::polar_disk(u)),
         "uniform_hemisphere" => {

@@ -7,11 +7,14 @@
 mod functions;
 mod inputs;
 mod native;
+mod native_points;
 mod points;
 mod rows;
 
-pub use inputs::mix;
-pub use native::NATIVE;
+pub use functions::compare_function;
+pub use inputs::{arguments, mix};
+pub use native::{NATIVE, NativeRow, compare_native};
+pub use points::{Case, compare_points};
 pub use rows::{Row, Verdict};
 
 use crate::catalog::{FUNCTIONS, Tier};
@@ -102,6 +105,11 @@ pub fn run(
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {
             add(native::check(device, row)?);
+        }
+    }
+    for case in native_points::native_cases()? {
+        if wanted(&[&case.name, case.kernel]) {
+            add(native_points::check_native(device, &case, native::SINE)?);
         }
     }
     if rows.is_empty() {

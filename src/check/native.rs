@@ -25,7 +25,7 @@ pub struct NativeRow {
 
 /// sin and cos may be off by 2^-11, to which square root and products add less than
 /// 2^-19.
-const SINE: f64 = 1.0 / 2048.0 + 1.0 / 524_288.0;
+pub(super) const SINE: f64 = 1.0 / 2048.0 + 1.0 / 524_288.0;
 
 /// atan may be off by 4096 ULP, 2^-11 of the result, which is at most pi and half a turn.
 const ARC: f64 = 1.0 / 2048.0 + 1.0 / 524_288.0;
@@ -64,8 +64,19 @@ pub const NATIVE: &[NativeRow] = &[
 /// Checks a native function.
 pub fn check(device: &Arc<Device>, row: &NativeRow) -> Result<Row> {
     let evaluator = Evaluator::new(device, "evaluate_native", row.id)?;
-    let arguments = arguments(row.kind);
-    let results = evaluator.run(&arguments)?;
+    compare_native(&evaluator, row, &arguments(row.kind))
+}
+
+/// Holds a native function to its bound, on an evaluator and arguments of the caller's.
+///
+/// # Errors
+/// Those of the device.
+pub fn compare_native(
+    evaluator: &Evaluator,
+    row: &NativeRow,
+    arguments: &[[u32; 4]],
+) -> Result<Row> {
+    let results = evaluator.run(arguments)?;
     let mut worst = 0.0;
     let mut witness = String::new();
     for (&a, &got) in arguments.iter().zip(&results) {
@@ -100,6 +111,10 @@ fn error(id: u32, a: [u32; 4], got: [u32; 4]) -> f64 {
             .map(|(&word, &t)| (f64::from(f32::from_bits(word)) - t).abs())
             .fold(0.0, |x: f64, y| if x.is_nan() || x > y { x } else { y })
     };
+    let with_pdf = |d: [f64; 3], times_pi: f64| {
+        away(&[d[0], d[1], d[2], times_pi * std::f64::consts::FRAC_1_PI])
+    };
+    let lambert = |d: [f64; 3]| with_pdf(d, d[2]);
     // The truth of a fraction wraps, as angles do.
     let wrapped = |got: u32, truth: f64| {
         let difference = (f64::from(got) / 4_294_967_296.0 - truth).abs();
@@ -116,9 +131,9 @@ fn error(id: u32, a: [u32; 4], got: [u32; 4]) -> f64 {
         1 => away(&judge::frame(v)[1]),
         2 => away(&judge::concentric_disk(u)),
         3 => away(&judge::polar_disk(u)),
-        4 => away(&judge::uniform_hemisphere(u)),
-        5 => away(&judge::cosine_hemisphere(u)),
-        6 => away(&judge::cosine_hemisphere_polar(u)),
+        4 => with_pdf(judge::uniform_hemisphere(u), 0.5),
+        5 => lambert(judge::cosine_hemisphere(u)),
+        6 => lambert(judge::cosine_hemisphere_polar(u)),
         7 => wrapped(got[0], v[2].clamp(0.0, 1.0)).max(wrapped(got[1], angle)),
         8 => {
             let radius = square.sqrt();

@@ -8,7 +8,8 @@ use crate::kernels::{Generator, Mapper};
 use crate::vulkan::Device;
 use std::sync::Arc;
 
-/// A request, the kernel that is to run it, and where.
+/// A request and the kernel that is to run it.
+#[derive(Clone, Debug)]
 pub struct Case {
     /// What the row is called.
     pub name: String,
@@ -19,11 +20,11 @@ pub struct Case {
 }
 
 /// Points of a range, which is as much as one buffer holds of the widest case.
-const POINTS: u64 = 1 << 16;
+pub(super) const POINTS: u64 = 1 << 16;
 
 /// Starts of ranges in a request of `count` points: the first, the last, and indices
 /// around 2^24 and 3^20, where f32 and the cells of base 3 end.
-fn starts(count: u64, points: u64) -> Vec<u64> {
+pub(super) fn starts(count: u64, points: u64) -> Vec<u64> {
     let mut starts = vec![0, 1, (1 << 24) - 7, 3_486_784_401 - 40, count - points];
     starts.retain(|start| start + points <= count);
     starts.sort_unstable();
@@ -31,7 +32,11 @@ fn starts(count: u64, points: u64) -> Vec<u64> {
     starts
 }
 
-fn case(name: String, kernel: &'static str, change: impl Fn(&mut Options)) -> Result<Case> {
+pub(super) fn case(
+    name: String,
+    kernel: &'static str,
+    change: impl Fn(&mut Options),
+) -> Result<Case> {
     let mut options = Options::new(Sequence::Halton, 1 << 32);
     change(&mut options);
     let request = Request::new(&options)?;
@@ -113,6 +118,19 @@ pub fn cases() -> Result<Vec<Case>> {
 
 /// Runs a case.
 pub fn check(device: &Arc<Device>, case: &Case) -> Result<Row> {
+    let mut maker = Maker::new(device, case)?;
+    compare_points(case, |start, points| maker.words(start, points))
+}
+
+/// Compares the words that `make` gives for ranges (start, points) of a case with the
+/// reference.
+///
+/// # Errors
+/// Those of `make`.
+pub fn compare_points(
+    case: &Case,
+    mut make: impl FnMut(u64, u64) -> Result<Vec<u32>>,
+) -> Result<Row> {
     let request = &case.request;
     let mut row = Row {
         name: case.name.clone(),
@@ -127,13 +145,12 @@ pub fn check(device: &Arc<Device>, case: &Case) -> Result<Row> {
         witness: String::new(),
         verdict: Verdict::Failed,
     };
-    let mut maker = Maker::new(device, case)?;
     let reference = Reference::new(request);
     let width = request.words_per_point() as usize;
     let points = POINTS.min(request.count);
     let mut expected = vec![0; points as usize * width];
     for start in starts(request.count, points) {
-        let got = maker.words(start, points)?;
+        let got = make(start, points)?;
         reference.fill(start, &mut expected);
         row.compared += points;
         let mut wrong = 0;
@@ -154,19 +171,19 @@ pub fn check(device: &Arc<Device>, case: &Case) -> Result<Row> {
 }
 
 /// The kernels of a case: one generator, and a map over its fractions.
-struct Maker {
+pub(super) struct Maker {
     generator: Generator,
     mapper: Option<Mapper>,
 }
 
 impl Maker {
-    fn new(device: &Arc<Device>, case: &Case) -> Result<Self> {
+    pub(super) fn new(device: &Arc<Device>, case: &Case) -> Result<Self> {
         let request = &case.request;
         let mut mapper = None;
         let generator = match (case.kernel, request.map) {
             ("generate", _) => Generator::general(device, request)?,
             ("map", Some(map)) => {
-                mapper = Some(Mapper::new(device, map, request.with_pdf, Profile::Exact)?);
+                mapper = Some(Mapper::new(device, map, request.with_pdf, request.profile)?);
                 let mut points = request.clone();
                 points.map = None;
                 points.with_pdf = false;
@@ -178,7 +195,7 @@ impl Maker {
         Ok(Self { generator, mapper })
     }
 
-    fn words(&mut self, start: u64, points: u64) -> Result<Vec<u32>> {
+    pub(super) fn words(&mut self, start: u64, points: u64) -> Result<Vec<u32>> {
         let mut words = Vec::new();
         self.generator.make(start, points, &mut |part| {
             words.extend_from_slice(part);

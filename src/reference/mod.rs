@@ -16,6 +16,12 @@
 //! [`native`] twins the native profile, whose bits depend on the device; only its
 //! formulas are mirrored.
 
+#![expect(
+    clippy::manual_abs_diff,
+    clippy::excessive_precision,
+    reason = "statements and literals read as in the shaders"
+)]
+
 pub mod bits;
 pub mod disk;
 pub mod elementary;

@@ -31,7 +31,10 @@ const fn first_primes() -> [u32; 1024] {
 /// Whether n is prime, by trial division: at most 2^16 steps for n < 2^32.
 #[must_use]
 pub fn is_prime(n: u64) -> bool {
-    n >= 2 && (2..).take_while(|d| d * d <= n).all(|d| n % d != 0)
+    n >= 2
+        && (2..)
+            .take_while(|d| d * d <= n)
+            .all(|d| !n.is_multiple_of(d))
 }
 
 /// The prime of the table nearest to n; of two, the smaller.

@@ -58,6 +58,6 @@ pub fn odometer_base(base: u32, window: u32) -> Option<OdometerBase> {
         radical: radical_base(base),
         power,
         quotient: ((1u64 << 32) / wide) as u32,
-        fraction: (((1u64 << 32) % wide << 16) / wide) as u32,
+        fraction: ((((1u64 << 32) % wide) << 16) / wide) as u32,
     })
 }

@@ -1,9 +1,13 @@
 //! What the tests on devices share.
 
+#![allow(dead_code, reason = "each test uses a part of it")]
+
 use std::sync::Arc;
 
 use corput::Error;
-use corput::vulkan::{Device, Instance, InstanceOptions, Pipeline, PipelineDescription};
+use corput::vulkan::{
+    Device, DeviceInfo, Instance, InstanceOptions, Pipeline, PipelineDescription,
+};
 
 /// Compiles GLSL for a stock kernel's target.
 pub fn compile(glsl: &str) -> Vec<u32> {
@@ -61,13 +65,32 @@ pub fn on_each_device(test: impl Fn(&Arc<Device>)) {
         }
     );
     for info in &devices {
-        println!("on {}: {} ({})", info.index, info.name, info.driver_info);
-        let device = Device::open(&instance, info).unwrap_or_else(|error| panic!("{error}"));
-        test(&device);
-        drop(device);
-        let said = instance.take_validation_messages();
-        assert!(said.is_empty(), "validation on {}: {said:#?}", info.name);
+        on_device(&instance, info, &test);
     }
+}
+
+/// Calls `test` with lavapipe, or with the first device where there is none.
+pub fn on_one_device(test: impl Fn(&Arc<Device>)) {
+    if skips() {
+        return;
+    }
+    let instance = instance();
+    let devices = instance.devices().expect("a list of devices");
+    let lavapipe = devices.iter().find(|info| info.name.contains("llvmpipe"));
+    let info = lavapipe.or(devices.first()).unwrap_or_else(|| {
+        let reason = "none listed".to_owned();
+        panic!("{}", Error::NoDevice { reason })
+    });
+    on_device(&instance, info, test);
+}
+
+fn on_device(instance: &Arc<Instance>, info: &DeviceInfo, test: impl Fn(&Arc<Device>)) {
+    println!("on {}: {} ({})", info.index, info.name, info.driver_info);
+    let device = Device::open(instance, info).unwrap_or_else(|error| panic!("{error}"));
+    test(&device);
+    drop(device);
+    let said = instance.take_validation_messages();
+    assert!(said.is_empty(), "validation on {}: {said:#?}", info.name);
 }
 
 /// Whether tests on devices are to be skipped, which is said aloud.

@@ -1,0 +1,186 @@
+//! One edit of the shaders' text, compiled, linted, run and compared, all in memory.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use corput::catalog::{Engine, FUNCTIONS, Function, Options, Output, Request};
+use corput::check::{self, Case, NATIVE, Row, arguments};
+use corput::interface::Kernel;
+use corput::kernels::{Evaluator, Generator, kernel};
+use corput::variant::{Plan, Work, general, plan};
+use corput::vulkan::{Device, DeviceKind};
+use corput::{compile, headers};
+
+/// A change of a file under `shaders/`.
+#[derive(Clone, Copy, Debug)]
+pub struct Edit<'a> {
+    /// The file, from `shaders/` on.
+    pub file: &'a str,
+    /// Exact text.
+    pub find: &'a str,
+    /// What stands there instead.
+    pub replace: &'a str,
+    /// How often the text occurs.
+    pub times: usize,
+}
+
+impl Edit<'_> {
+    /// The edit as a diff.
+    pub fn diff(&self) -> String {
+        let lines = |mark: char, text: &str| -> String {
+            text.lines().map(|line| format!("{mark}{line}\n")).collect()
+        };
+        format!(
+            "--- shaders/{}\n{}{}",
+            self.file,
+            lines('-', self.find),
+            lines('+', self.replace)
+        )
+    }
+
+    fn apply(&self, file: &str, text: String) -> String {
+        if file != self.file {
+            return text;
+        }
+        let found = text.matches(self.find).count();
+        assert_eq!(found, self.times, "occurrences of\n{}", self.diff());
+        text.replace(self.find, self.replace)
+    }
+}
+
+/// What is compared with the reference.
+#[derive(Clone, Copy, Debug)]
+pub enum Target {
+    /// A function of the catalogue, in its kernel.
+    Function(&'static str),
+    /// The same as `evaluate_portable` has it.
+    Portable(&'static str),
+    /// A native function, which only the judge knows.
+    Native(&'static str),
+    /// Points by the general kernel.
+    Generate(fn() -> Options),
+    /// Points by the kernel that the request gets: a tile, or fused with a map.
+    Tile(fn() -> Options),
+}
+
+/// How a module fared.
+pub enum Outcome {
+    /// The linter's words.
+    Refused(String),
+    /// It ran.
+    Ran(Row),
+}
+
+/// Compiles the target's kernel with an edit and runs it as `corput check` does.
+pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome {
+    let words = match compile::check(
+        &spirv(row(device, target), edit),
+        row(device, target).profile,
+    ) {
+        Ok(words) => words,
+        Err(refusal) => return Outcome::Refused(refusal),
+    };
+    let ran = match target {
+        Target::Function(name) => function(device, name, function_row(name).kernel, &words),
+        Target::Portable(name) => function(device, name, "evaluate_portable", &words),
+        Target::Native(name) => {
+            let row = native_row(name);
+            Evaluator::with_module(device, "evaluate_native", row.id, &words)
+                .and_then(|evaluator| check::compare_native(&evaluator, row, &arguments(row.kind)))
+        }
+        Target::Generate(options) | Target::Tile(options) => {
+            let case = Case {
+                name: "points".into(),
+                kernel: "points",
+                request: request(options),
+            };
+            check::compare_points(&case, |start, points| {
+                let plan = planned(device, target, &case.request);
+                let mut all = Vec::new();
+                Generator::with_module(device, &case.request, plan, &words)?.make(
+                    start,
+                    points,
+                    &mut |part| {
+                        all.extend_from_slice(part);
+                        Ok(())
+                    },
+                )?;
+                Ok(all)
+            })
+        }
+    };
+    Outcome::Ran(ran.unwrap_or_else(|error| panic!("{error}")))
+}
+
+/// The row of the kernel that a target runs.
+pub fn row(device: &Device, target: Target) -> &'static Kernel {
+    let named = |name| kernel(name).unwrap_or_else(|error| panic!("{error}"));
+    match target {
+        Target::Function(name) => named(function_row(name).kernel),
+        Target::Portable(_) => named("evaluate_portable"),
+        Target::Native(_) => named("evaluate_native"),
+        Target::Generate(options) | Target::Tile(options) => {
+            planned(device, target, &request(options)).kernel
+        }
+    }
+}
+
+/// A kernel's words as the compiler gives them; text that does not compile is no mutant.
+pub fn spirv(row: &Kernel, edit: Option<&Edit>) -> Vec<u32> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/kernels");
+    let mut read = |name: &str| -> Option<String> {
+        let header = headers().iter().find(|(header, _)| *header == name);
+        let (file, text) = match header {
+            Some((_, text)) => (name.to_owned(), (*text).to_owned()),
+            None if name == "interface.glsl" => (name.to_owned(), row.glsl()),
+            None => (
+                format!("kernels/{name}"),
+                std::fs::read_to_string(folder.join(name)).ok()?,
+            ),
+        };
+        Some(match edit {
+            Some(edit) => edit.apply(&file, text),
+            None => text,
+        })
+    };
+    let source = read(row.source).expect("the kernel's source");
+    compile::to_spirv(&source, row.defines, &mut read).unwrap_or_else(|error| {
+        let diff = edit.map(Edit::diff).unwrap_or_default();
+        panic!("{}: {error}\n{diff}", row.name)
+    })
+}
+
+fn function(device: &Arc<Device>, name: &str, kernel: &str, words: &[u32]) -> corput::Result<Row> {
+    let row = function_row(name);
+    let evaluator = Evaluator::with_module(device, kernel, row.id, words)?;
+    check::compare_function(&evaluator, row, kernel, &arguments(row.kind))
+}
+
+fn function_row(name: &str) -> &'static Function {
+    let found = FUNCTIONS.iter().find(|function| function.name == name);
+    found.unwrap_or_else(|| panic!("no function {name}"))
+}
+
+fn native_row(name: &str) -> &'static check::NativeRow {
+    let found = NATIVE.iter().find(|row| row.name == name);
+    found.unwrap_or_else(|| panic!("no native function {name}"))
+}
+
+fn request(options: fn() -> Options) -> Request {
+    Request::new(&options()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn planned(device: &Device, target: Target, request: &Request) -> Plan {
+    let work = Work {
+        columns: &request.columns,
+        points: request.count,
+        fractions: request.output == Output::Fractions,
+        map: request.map.map(|map| (map.id, request.with_pdf)),
+        native: false,
+        cpu: device.info().kind == DeviceKind::Cpu,
+    };
+    match target {
+        Target::Generate(_) => general(&work),
+        _ => plan(&work),
+    }
+}
