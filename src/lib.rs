@@ -1,4 +1,31 @@
 //! `corput`: a sampling toolkit for Vulkan compute.
+//!
+//! GLSL that turns an index into low-discrepancy points and importance-sampled
+//! directions, a host that runs it in bulk, and a CPU reference that agrees with it bit
+//! for bit. The README says what that promise is; [`catalog`] lists what there is.
+//!
+//! - [`headers`]: the GLSL, for an engine to include.
+//! - [`reference`]: its twin in Rust, function by function.
+//! - [`catalog::Request`]: a checked description of points; [`bulk::Reference`] makes them
+//!   on the CPU, `kernels::Generator` on a device.
+//! - `check`: device against reference, judged by a third, slow implementation in
+//!   [`judge`].
+//!
+//! Features: `cli` (default) is the command line; `gpu` the Vulkan host and the stock
+//! kernels, for which glslang's C++ is compiled; `images` reads environment maps and
+//! draws plots. Without any, the crate needs neither a C++ compiler nor Vulkan.
+//!
+//! ```
+//! use corput::bulk::Reference;
+//! use corput::catalog::{Options, Request, Sequence};
+//!
+//! let request = Request::new(&Options::new(Sequence::Halton, 4))?;
+//! let mut words = [0; 8];
+//! Reference::new(&request).fill(0, &mut words);
+//! let points: Vec<f32> = words.iter().map(|word| f32::from_bits(*word)).collect();
+//! assert_eq!(points[..4], [0.0, 0.0, 0.5, 0.33333337]);
+//! # Ok::<(), corput::Error>(())
+//! ```
 
 #[cfg(feature = "gpu")]
 pub mod bench;

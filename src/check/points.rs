@@ -3,7 +3,7 @@
 use super::rows::{Row, Verdict};
 use crate::Result;
 use crate::bulk::Reference;
-use crate::catalog::{Engine, MAPS, Options, Output, Profile, Request, Sequence};
+use crate::catalog::{Engine, MAPS, Options, Output, Request, Sequence};
 use crate::kernels::{Generator, Mapper};
 use crate::vulkan::Device;
 use std::sync::Arc;

@@ -22,8 +22,13 @@ pub struct Irradiator {
     device: Arc<Device>,
 }
 
-/// Invocations at most; each sums every so manieth point.
+/// Invocations, unless there are more points than these can take; each sums every so
+/// manieth point.
 const INVOCATIONS: u32 = 4096;
+
+/// Points of an invocation at most: llvmpipe ends an invocation's loops after 65,535
+/// iterations in all, of which a point takes about 50.
+const POINTS: u32 = 512;
 
 impl Irradiator {
     /// Uploads a map of width times height texels; edge i of `edges` is the float
@@ -59,7 +64,7 @@ impl Irradiator {
     /// Those of the device.
     pub fn run(&self, axis: u32, count: u32, scale: u32) -> Result<(IrradianceSum, Timing)> {
         let row = kernel("irradiance")?;
-        let invocations = count.min(INVOCATIONS);
+        let invocations = count.min(INVOCATIONS).max(count.div_ceil(POINTS));
         let bytes = 32 * u64::from(invocations);
         let mut results = Buffer::new(&self.device, bytes, Access::Readback)?;
         let push = IrradiancePush {
