@@ -169,10 +169,10 @@ float corput_unit_ceil(uint u) {
 vec2 corput_unit_floor(uvec2 u) { return vec2(corput_unit_floor(u.x), corput_unit_floor(u.y)); }
 uint corput_seed_sqrt(uint m) { return uint(sqrt(float(m)) * uintBitsToFloat(0x45800000u)); }
 uint corput_seed_quotient(uint a, uint b) {
-    return uint(float(a) / float(b) * uintBitsToFloat(0x4b800000u) + uintBitsToFloat(0x3f000000u));
+    return uint(float(a) / float(b) * uintBitsToFloat(0x4b800000u));
 }
 int corput_seed_step(int r, uint q) {
-    return int(floor(float(r) / (float(q) * uintBitsToFloat(0x40000000u)) + uintBitsToFloat(0x3f000000u)));
+    return int(floor(float(r) / float(2u * q)));
 }
 uint corput_sqrt(uint m) {
     uint q = corput_seed_sqrt(m);
@@ -198,7 +198,7 @@ void corput_frame(vec3 n, out vec3 t, out vec3 b) {
     t = vec3(n.x * n.x - n.y, n.y + n.z * n.x, n.z);
     b = vec3(n.y * t.z - n.z * t.y, n.z * t.x - n.x * t.z, n.x * t.y - n.y * t.x);
 }
-vec3 corput_frame_to_world(vec3 n, vec3 d) {
+vec3 corput_frame_combine(vec3 n, vec3 d) {
     precise vec3 t, b;
     corput_frame(n, t, b);
     return vec3(t.x * d.x + b.x * d.y, t.y * d.x + b.y * d.y, n.z + d.z);
@@ -215,7 +215,7 @@ void main() {
     atomicAdd(total, pair.bits);
     barrier();
 #ifdef WITH_FRAME
-    vec3 world = corput_frame_to_world(vec3(unit, pair.value), vec3(pair.value, unit));
+    vec3 world = corput_frame_combine(vec3(unit, pair.value), vec3(pair.value, unit));
     floats[index] = world.z;
 #endif
     data[index + uint(data.length()) / 2u] = total;
