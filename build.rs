@@ -5,8 +5,9 @@
 use std::path::{Path, PathBuf};
 use std::{env, fmt::Write, fs};
 
+#[cfg(feature = "gpu")]
 #[allow(dead_code, reason = "the crate uses the rest")]
-#[path = "src/interface.rs"]
+#[path = "src/interface/mod.rs"]
 mod interface;
 
 #[cfg(feature = "gpu")]

@@ -39,9 +39,9 @@ fn numbers(text: &str) -> BTreeSet<(String, u32)> {
     found
 }
 
-/// The numbers of one `pub mod` of src/interface.rs.
+/// The numbers of one `pub mod` of src/interface/mod.rs.
 fn table(module: &str) -> BTreeSet<(String, u32)> {
-    let text = read("src/interface.rs");
+    let text = read("src/interface/mod.rs");
     let start = text
         .split(&format!("pub mod {module} {{"))
         .nth(1)
@@ -157,7 +157,7 @@ fn shaders_repeat_the_right_numbers() {
     assert_eq!(numbers(&text("column.glsl")), table("column_kind"));
     assert_eq!(numbers(&text("map.glsl")), table("map"));
     assert_eq!(numbers(&text("generate.comp")), words);
-    // The reader of src/interface.rs reads what the compiler reads.
+    // The reader of src/interface/mod.rs reads what the compiler reads.
     assert!(table("column_kind").contains(&("RADICAL".to_owned(), column_kind::RADICAL)));
     assert!(table("map").contains(&(
         "COSINE_HEMISPHERE_POLAR".to_owned(),
