@@ -184,7 +184,7 @@ pub enum Error {
         seconds: u64,
     },
     /// A file operation that failed while running.
-    #[error("cannot {action} {}: {source}; free space or choose another folder, then run again", path.display())]
+    #[error("cannot {action} {}: {source}; {}", path.display(), io_remedy(source.kind()))]
     Io {
         /// What was tried.
         action: &'static str,
@@ -276,6 +276,13 @@ impl Error {
             | Self::Interrupted { .. }
             | Self::Shader { .. } => 4,
         }
+    }
+}
+
+fn io_remedy(kind: std::io::ErrorKind) -> &'static str {
+    match kind {
+        std::io::ErrorKind::BrokenPipe => "its reader has gone: keep it reading to the end",
+        _ => "free space or choose another folder, then run again",
     }
 }
 

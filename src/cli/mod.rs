@@ -34,7 +34,7 @@ pub fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("corput: {error:#}");
+            eprintln!("corput: {error}");
             let code = error
                 .downcast_ref::<corput::Error>()
                 .map_or(FAILED, corput::Error::exit_code);
