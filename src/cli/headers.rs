@@ -3,6 +3,7 @@
 use super::args::HeadersArgs;
 use super::print;
 use corput::Error;
+use corput::report::save;
 use std::path::Path;
 
 pub fn run(args: &HeadersArgs) -> anyhow::Result<()> {
@@ -17,7 +18,7 @@ pub fn run(args: &HeadersArgs) -> anyhow::Result<()> {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|source| refused(folder, source))?;
         }
-        std::fs::write(&path, text).map_err(|source| refused(&path, source))?;
+        save(&path, text.as_bytes())?;
     }
     print(&format!(
         "{} headers in {}; include them as \"corput/NAME.glsl\" with {} in the include path",

@@ -31,6 +31,28 @@ pub use place::Target;
 pub use sink::{Sink, Summary};
 
 use crate::error::{Error, Result};
+use place::{Place, failed};
+use std::io::Write;
+use std::path::Path;
+
+/// Writes a small file whole: aside, then under its name, as a [`Sink`] does.
+///
+/// # Errors
+///
+/// [`Error::Output`] if it cannot be created, [`Error::Io`] if it cannot be written.
+pub fn save(path: &Path, bytes: &[u8]) -> Result<()> {
+    // Only standard output asks for the format.
+    match Place::open(&Target::File(path.to_owned()), Format::Csv)?.0 {
+        Place::Aside(mut aside) => {
+            aside.fill(bytes)?;
+            aside.sync()?;
+            aside.commit()
+        }
+        mut place => place
+            .write_all(bytes)
+            .map_err(|source| failed("write", path, source)),
+    }
+}
 
 /// What a 32-bit word of the data is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
