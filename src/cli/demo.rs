@@ -1,23 +1,29 @@
 //! `corput demo`.
 
 use super::args::DemoArgs;
-use super::{host, print};
+use super::{host, interrupt, print, progress};
 use comfy_table::{CellAlignment, Table, presets};
 use corput::demo::{self, Demo};
+use corput::image::load_exr;
 use corput::{Error, vulkan::Device};
 use std::sync::Arc;
 
 pub fn run(args: &DemoArgs) -> anyhow::Result<()> {
     let device = host::open(args.device.as_deref())?;
+    let image = load_exr(&args.env)?;
     std::fs::create_dir_all(&args.out).map_err(|source| Error::Output {
         path: args.out.clone(),
         problem: source.to_string(),
         remedy: "choose a folder that can be made and written with --out".into(),
     })?;
     print(&host::line(device.info()));
-    let found = demo::run(&device, &args.env, &args.out, &mut |step| {
-        eprintln!("{step}");
+    interrupt::clean_up();
+    let bar = progress::steps();
+    let found = demo::run(&device, &image, &args.out, &mut |name, done, total| {
+        progress::step(&bar, name, done, total);
+        interrupt::stop(done, total)
     })?;
+    bar.finish_and_clear();
     print(&report(args, &found, &device));
     host::validated(&device)?;
     if found.all_equal() {

@@ -2,12 +2,12 @@
 
 use super::args::GenerateArgs;
 use super::{host, interrupt, progress};
+use corput::Result;
 use corput::bulk::Reference;
 use corput::catalog::{Engine, Map, Options, Output, Profile, Request, Sequence};
 use corput::kernels::Generator;
 use corput::report::{Element, Format, Layout, Sink, Target};
 use corput::vulkan::Device;
-use corput::{Error, Result};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
@@ -71,12 +71,7 @@ fn stream(engine: &mut dyn Engine, request: &Request, mut sink: Sink) -> Result<
     while done < request.count {
         let points = engine.chunk().clamp(1, request.count - done);
         engine.make(done, points, &mut |words| {
-            if interrupt::seen() {
-                return Err(Error::Interrupted {
-                    done: bar.position(),
-                    total: request.count,
-                });
-            }
+            interrupt::stop(bar.position(), request.count)?;
             sink.write(words)?;
             bar.inc(words.len() as u64 / width);
             Ok(())

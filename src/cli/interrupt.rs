@@ -1,5 +1,6 @@
 //! Ctrl-C: work that keeps files stops at its next step, any other at once.
 
+use corput::{Error, Result};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -13,6 +14,7 @@ pub fn install() {
     let handler = || {
         let again = INTERRUPTED.swap(true, Ordering::SeqCst);
         if again || !CLEANS_UP.load(Ordering::SeqCst) {
+            eprintln!("corput: interrupted; run again");
             std::process::exit(CUT_OFF);
         }
     };
@@ -21,12 +23,15 @@ pub fn install() {
     }
 }
 
-/// From now on the work looks at [`seen`] itself, and leaves nothing half-written.
+/// From now on the work calls [`stop`] itself, and leaves nothing half-written.
 pub fn clean_up() {
     CLEANS_UP.store(true, Ordering::SeqCst);
 }
 
-/// Whether the user wants to stop.
-pub fn seen() -> bool {
-    INTERRUPTED.load(Ordering::SeqCst)
+/// Stops work that has come so far if the user wants it to.
+pub fn stop(done: u64, total: u64) -> Result<()> {
+    if INTERRUPTED.load(Ordering::SeqCst) {
+        return Err(Error::Interrupted { done, total });
+    }
+    Ok(())
 }

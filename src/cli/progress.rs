@@ -12,6 +12,25 @@ pub fn points(total: u64) -> ProgressBar {
     bar
 }
 
+/// A bar over one step after another, which [`step`] tells it.
+pub fn steps() -> ProgressBar {
+    let bar = bar(0);
+    bar.set_style(style(
+        "{prefix}: {bar:32} {human_pos}/{human_len}, {per_sec}, {eta} left",
+    ));
+    bar
+}
+
+/// Shows how far a step has come.
+pub fn step(bar: &ProgressBar, name: &str, done: u64, total: u64) {
+    if bar.prefix() != name {
+        bar.reset();
+        bar.set_prefix(name.to_owned());
+        bar.set_length(total);
+    }
+    bar.set_position(done);
+}
+
 /// A counter of rows of unknown number.
 pub fn rows() -> ProgressBar {
     let bar = if std::io::stderr().is_terminal() {

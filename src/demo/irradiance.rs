@@ -1,5 +1,6 @@
 //! Irradiance of a map for the six axis directions as normals, by growing point sets.
 
+use super::Watch;
 use crate::Result;
 use crate::bulk::{RadianceMap, irradiance_sum, row_edges, sum_scale};
 use crate::image::Image;
@@ -62,8 +63,12 @@ fn luminance([r, g, b]: [f64; 3]) -> f64 {
 /// Estimates for all axes and counts.
 ///
 /// # Errors
-/// Those of the device.
-pub fn estimates(device: &Arc<Device>, image: &Image) -> Result<Vec<Estimate>> {
+/// Those of the device, and those of `watch`.
+pub fn estimates(
+    device: &Arc<Device>,
+    image: &Image,
+    watch: &mut Watch<'_>,
+) -> Result<Vec<Estimate>> {
     let size = [image.width, image.height];
     let edges = row_edges(image.height);
     let map = RadianceMap {
@@ -74,6 +79,7 @@ pub fn estimates(device: &Arc<Device>, image: &Image) -> Result<Vec<Estimate>> {
     let irradiator = Irradiator::new(device, size, &image.texels, &edges)?;
     let largest = image.texels.iter().flatten().fold(0f32, |a, &b| a.max(b));
     let scale = sum_scale(largest, 1 << LOG_COUNTS.end());
+    let total = 6 * LOG_COUNTS.count() as u64;
     let mut list = Vec::new();
     for axis in 0..6u32 {
         let mut normal = [0.0; 3];
@@ -90,6 +96,7 @@ pub fn estimates(device: &Arc<Device>, image: &Image) -> Result<Vec<Estimate>> {
                 device_ms: timing.device_ns.unwrap_or(timing.host_ns) * 1e-6,
                 equal: sum.channels == irradiance_sum(map, axis, count, scale),
             });
+            watch("irradiance sums", list.len() as u64, total)?;
         }
     }
     Ok(list)

@@ -4,14 +4,14 @@ mod irradiance;
 
 pub use irradiance::{Estimate, estimates};
 
+use crate::Result;
 use crate::bulk::Reference;
 use crate::catalog::{Engine, Map, Options, Request, Sequence};
-use crate::image::{Image, load_exr};
+use crate::image::Image;
 use crate::kernels::Generator;
 use crate::plot::{LinesStyle, ScatterStyle, Series, error_lines, points_and_directions, to_png};
-use crate::report::{Element, Format, Layout, Sink, Target};
+use crate::report::{self, Element, Format, Layout, Sink, Target};
 use crate::vulkan::Device;
-use crate::{Error, Result};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -63,19 +63,20 @@ impl Demo {
     }
 }
 
-/// Runs the demonstration into a folder, which must exist; `say` hears of each step.
+/// Hears of each step what it makes, how many are made and how many will be. Its error
+/// stops the work, with no file left.
+pub type Watch<'a> = dyn FnMut(&str, u64, u64) -> Result<()> + 'a;
+
+/// Runs the demonstration with a map into a folder, which must exist.
 ///
 /// # Errors
-/// Those of the device, of the map and of the files.
+/// Those of the device, of the files and of `watch`.
 pub fn run(
     device: &Arc<Device>,
-    map: &Path,
+    image: &Image,
     folder: &Path,
-    say: &mut dyn FnMut(&str),
+    watch: &mut Watch<'_>,
 ) -> Result<Demo> {
-    let image = load_exr(map)?;
-    let mut files = Vec::new();
-    say("making 2^24 Halton points, and the same on the CPU");
     let points = Request::new(&Options::new(Sequence::Halton, POINTS))?;
     let path = folder.join("points.npy");
     let layout = Layout {
@@ -89,13 +90,9 @@ pub fn run(
         layout,
         serde_json::Value::Null,
     )?;
-    let compared_points = compare(device, "Halton points", &points, &mut |words| {
+    let compared_points = compare(device, "Halton points", &points, watch, &mut |words| {
         sink.write(words)
     })?;
-    sink.finish()?;
-    files.push(path);
-
-    say("making 2^24 cosine-weighted directions, and the same on the CPU");
     let mut options = Options::new(Sequence::Halton, POINTS);
     options.map = Some(Map::from_name("cosine-hemisphere")?);
     let directions = Request::new(&options)?;
@@ -103,12 +100,13 @@ pub fn run(
         device,
         "cosine-weighted directions",
         &directions,
+        watch,
         &mut |_| Ok(()),
     )?;
 
-    say("estimating the irradiance of the map, and the same on the CPU");
-    let Image { width, height, .. } = image;
-    let estimates = estimates(device, &image)?;
+    let estimates = estimates(device, image, watch)?;
+    sink.finish()?;
+    let mut files = vec![path];
     files.extend(pictures(
         folder,
         &compared_points,
@@ -122,7 +120,7 @@ pub fn run(
     )?);
     Ok(Demo {
         comparisons: vec![compared_points, compared_directions],
-        size: [width, height],
+        size: [image.width, image.height],
         clamped: image.clamped as u64,
         estimates,
         files,
@@ -134,6 +132,7 @@ fn compare(
     device: &Arc<Device>,
     name: &'static str,
     request: &Request,
+    watch: &mut Watch<'_>,
     keep: &mut dyn FnMut(&[u32]) -> Result<()>,
 ) -> Result<Comparison> {
     let mut generator = Generator::new(device, request)?;
@@ -165,6 +164,7 @@ fn compare(
         result.compared += points;
         generator.adapt(points, &timing);
         start += points;
+        watch(name, start, request.count)?;
     }
     Ok(result)
 }
@@ -244,16 +244,9 @@ fn table(estimates: &[Estimate]) -> String {
     text
 }
 
-/// Writes a file beside its final name, and renames it.
+/// Writes a file of the folder.
 fn save(folder: &Path, name: &str, bytes: &[u8]) -> Result<PathBuf> {
     let path = folder.join(name);
-    let partial = folder.join(format!(".{name}.partial"));
-    let error = |action, path: &Path, source| Error::Io {
-        action,
-        path: path.to_owned(),
-        source,
-    };
-    std::fs::write(&partial, bytes).map_err(|source| error("write", &partial, source))?;
-    std::fs::rename(&partial, &path).map_err(|source| error("rename to", &path, source))?;
+    report::save(&path, bytes)?;
     Ok(path)
 }
