@@ -138,6 +138,9 @@ fn whole(text: &str) -> Result<u64, String> {
         let limit = "it must be a whole number from 0 to 18446744073709551615";
         match text.parse::<f64>() {
             Ok(value) if value < 0.0 => format!("{text} is negative; {limit}"),
+            _ if !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()) => {
+                format!("{text} is too large; {limit}")
+            }
             _ => format!("`{text}` is no whole number; {limit}"),
         }
     })
