@@ -1,0 +1,181 @@
+//! What fails under way: full disks, closed pipes, Ctrl-C.
+
+use super::{Desk, Run, repository, skips};
+use std::io::Read;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_is_an_error() {
+    let desk = Desk::new();
+    for format in ["npy", "raw", "csv"] {
+        for count in [1, 1_000_000] {
+            let line = format!(
+                "generate halton --count {count} --device cpu --format {format} --out /dev/full"
+            );
+            desk.run(&line)
+                .expect(4, &["/dev/full", "No space left", "free space"]);
+        }
+    }
+    assert!(desk.names().is_empty());
+}
+
+#[test]
+fn a_file_that_cannot_grow_is_removed() {
+    let desk = Desk::new();
+    std::fs::write(desk.path("p.raw"), "old").unwrap();
+    let line = "generate halton --count 1000000 --device cpu --out p.raw";
+    let mut command = Command::new("sh");
+    command
+        .current_dir(desk.path(""))
+        .args(["-c", "trap '' XFSZ; ulimit -f 64; exec \"$0\" \"$@\""])
+        .arg(env!("CARGO_BIN_EXE_corput"))
+        .args(line.split_whitespace());
+    Run::of(line, command).expect(4, &["cannot write p.raw", "free space"]);
+    assert_eq!(desk.names(), ["p.raw"]);
+    assert_eq!(desk.bytes("p.raw"), b"old");
+}
+
+/// A started command, ended at the latest with the test.
+struct Running(Child);
+
+impl Running {
+    fn start(desk: &Desk, line: &str) -> Self {
+        let mut command = desk.command(line);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        Self(command.spawn().unwrap())
+    }
+
+    /// Waits until a partial file in the folder has this many bytes.
+    fn wait_for_partial(&mut self, folder: &Path, bytes: u64) {
+        let start = Instant::now();
+        loop {
+            let names = std::fs::read_dir(folder).into_iter().flatten().flatten();
+            let grown = names
+                .filter(|entry| entry.file_name().to_string_lossy().ends_with(".partial"))
+                .any(|entry| entry.metadata().is_ok_and(|found| found.len() >= bytes));
+            if grown {
+                return;
+            }
+            assert_eq!(self.0.try_wait().unwrap(), None, "it ended by itself");
+            assert!(start.elapsed() < Duration::from_secs(60), "no partial file");
+            sleep(Duration::from_millis(20));
+        }
+    }
+
+    fn signal(&self, name: &str) {
+        let id = self.0.id().to_string();
+        let sent = Command::new("kill").args(["-s", name, &id]).status();
+        assert!(sent.unwrap().success());
+    }
+
+    /// The exit code and standard error, within a minute.
+    fn end(mut self) -> (Option<i32>, String) {
+        let start = Instant::now();
+        let code = loop {
+            if let Some(status) = self.0.try_wait().unwrap() {
+                break status.code();
+            }
+            assert!(start.elapsed() < Duration::from_secs(60), "it does not end");
+            sleep(Duration::from_millis(20));
+        };
+        let mut text = String::new();
+        let mut pipe = self.0.stderr.take().unwrap();
+        pipe.read_to_string(&mut text).unwrap();
+        (code, text)
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // It has ended where the test passes.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+#[test]
+fn an_interrupted_run_leaves_no_file() {
+    let mut cases = vec![(" --device cpu", "INT"), (" --device cpu", "TERM")];
+    if !skips() {
+        cases.push(("", "INT"));
+    }
+    for (device, signal) in cases {
+        for file in ["big.npy", "big.raw"] {
+            let desk = Desk::new();
+            let line = format!("generate vdc --count 4294967296{device} --out {file}");
+            let mut running = Running::start(&desk, &line);
+            running.wait_for_partial(&desk.path(""), 1 << 20);
+            running.signal(signal);
+            let (code, text) = running.end();
+            assert_eq!(code, Some(4), "`{line}`: {text}");
+            assert!(text.contains("interrupted after "), "{text}");
+            assert!(text.contains(" of 4294967296; nothing was left"), "{text}");
+            assert!(desk.names().is_empty(), "{:?}", desk.names());
+        }
+    }
+}
+
+#[test]
+fn an_interrupted_demonstration_leaves_no_file() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let map = repository("tests/data/sunrise.exr");
+    let line = format!("demo --env {} --out .", map.display());
+    let mut running = Running::start(&desk, &line);
+    running.wait_for_partial(&desk.path(""), 1 << 20);
+    running.signal("INT");
+    let (code, text) = running.end();
+    assert_eq!(code, Some(4), "{text}");
+    assert!(text.contains("interrupted after "), "{text}");
+    assert!(desk.names().is_empty(), "{:?}", desk.names());
+}
+
+#[test]
+fn an_interrupted_check_ends_at_once() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    for delay in [300, 700, 1100] {
+        let running = Running::start(&desk, "check");
+        sleep(Duration::from_millis(delay));
+        running.signal("INT");
+        let (code, text) = running.end();
+        assert_eq!(code, Some(4), "{text}");
+        assert!(text.contains("interrupted"), "{text}");
+    }
+}
+
+#[test]
+fn a_closed_pipe_is_an_error_without_a_panic() {
+    let desk = Desk::new();
+    let mut devices = vec![" --device cpu"];
+    if !skips() {
+        devices.push("");
+    }
+    for device in devices {
+        for format in ["npy", "csv"] {
+            let line = format!("generate halton --count 1000000{device} --format {format} --out -");
+            let mut running = Running::start(&desk, &line);
+            let mut pipe = running.0.stdout.take().unwrap();
+            pipe.read_exact(&mut [0; 10]).unwrap();
+            drop(pipe);
+            let (code, text) = running.end();
+            assert_eq!(code, Some(4), "{text}");
+            assert!(text.contains("its reader has gone"), "{text}");
+            assert!(
+                !text.contains("panicked") && text.lines().count() == 1,
+                "{text}"
+            );
+        }
+    }
+    let mut running = Running::start(&desk, "headers --out h");
+    drop(running.0.stdout.take());
+    assert_eq!(running.end(), (Some(4), String::new()));
+}
