@@ -5,7 +5,7 @@
 //! for bit. The README says what that promise is; [`catalog`] lists what there is.
 //!
 //! - [`headers`]: the GLSL, for an engine to include.
-//! - [`reference`]: its twin in Rust, function by function.
+//! - [`mod@reference`]: its twin in Rust, function by function.
 //! - [`catalog::Request`]: a checked description of points; [`bulk::Reference`] makes them
 //!   on the CPU, `kernels::Generator` on a device.
 //! - `check`: device against reference, judged by a third, slow implementation in
