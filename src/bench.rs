@@ -119,6 +119,10 @@ fn jobs() -> Result<Vec<Job>> {
         o.dimensions = Some(4);
         Ok(())
     })?;
+    add("Halton d=8", 8, None, &|o| {
+        o.dimensions = Some(8);
+        Ok(())
+    })?;
     add("Hammersley d=2", 2, None, &|o| {
         o.sequence = Sequence::Hammersley;
         Ok(())

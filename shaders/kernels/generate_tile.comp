@@ -1,6 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // Points of one to four columns: TILE consecutive ones an invocation, in wide stores.
+// Four columns may be a part of a wider row, which takes one dispatch per part.
 #include "interface.glsl"
 #include "tile.glsl"
 
@@ -10,7 +11,11 @@ void main() {
         return;
     }
     Tile tile = tile_start(push.first + i * TILE);
+#if TILE_COLUMNS == 4
+    uint at = i * TILE * ROW + PART;
+#else
     uint at = i * (TILE / 4u) * TILE_COLUMNS;
+#endif
     for (uint j = 0u; j < TILE; j += 4u) {
         uvec4 p[4];
         for (uint k = 0u; k < 4u; k++) {
@@ -28,10 +33,14 @@ void main() {
         results[at + 2u] = uvec4(p[2].z, p[3].xyz);
 #else
         results[at] = p[0];
-        results[at + 1u] = p[1];
-        results[at + 2u] = p[2];
-        results[at + 3u] = p[3];
+        results[at + ROW] = p[1];
+        results[at + 2u * ROW] = p[2];
+        results[at + 3u * ROW] = p[3];
 #endif
+#if TILE_COLUMNS == 4
+        at += 4u * ROW;
+#else
         at += TILE_COLUMNS;
+#endif
     }
 }

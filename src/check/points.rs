@@ -68,12 +68,11 @@ pub fn cases() -> Result<Vec<Case>> {
                 o.sequence = Sequence::VanDerCorput;
                 o.bases = Some(vec![3]);
             })?;
-            for dimensions in [2, 3, 4, 17] {
-                // Tiles have four columns at most.
-                if kernel == "generate" || dimensions <= 4 {
-                    let name = format!("halton d={dimensions}");
-                    columns(&name, &|o| o.dimensions = Some(dimensions))?;
-                }
+            // Tiles are of one to four columns, or several of four.
+            let wide = if kernel == "tile" { 12 } else { 17 };
+            for dimensions in [2, 3, 4, wide] {
+                let name = format!("halton d={dimensions}");
+                columns(&name, &|o| o.dimensions = Some(dimensions))?;
             }
             columns("halton 2,251,8161", &|o| o.bases = Some(vec![2, 251, 8161]))?;
             columns("hammersley d=2", &|o| o.sequence = Sequence::Hammersley)?;

@@ -62,6 +62,19 @@ const INDEXED: Constant = Constant {
     default: 0,
 };
 
+/// uvec4s of a row, of which the kernel writes one.
+const ROW: Constant = Constant {
+    id: 7,
+    name: "ROW",
+    default: 1,
+};
+/// Which of them.
+const PART: Constant = Constant {
+    id: 8,
+    name: "PART",
+    default: 0,
+};
+
 const RESULTS: Binding = Binding {
     binding: 0,
     name: "results",
@@ -173,7 +186,7 @@ pub const KERNELS: &[Kernel] = &[
     tile(
         "generate_tile_4",
         &[("TILE_COLUMNS", "4")],
-        columns!(OUTPUT, TILE,; (0, "COLUMN0"), (1, "COLUMN1"), (2, "COLUMN2"), (3, "COLUMN3")),
+        columns!(OUTPUT, TILE, ROW, PART,; (0, "COLUMN0"), (1, "COLUMN1"), (2, "COLUMN2"), (3, "COLUMN3")),
     ),
     directions(
         "map",

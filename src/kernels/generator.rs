@@ -23,7 +23,7 @@ const TARGET_NS: f64 = 1e8;
 pub struct Generator {
     request: Request,
     plan: Plan,
-    pipeline: Pipeline,
+    pipelines: Vec<Pipeline>,
     results: Buffer,
     table: Option<Buffer>,
     device: Arc<Device>,
@@ -70,7 +70,11 @@ impl Generator {
         plan: Plan,
         words: &[u32],
     ) -> Result<Self> {
-        let pipeline = pipeline(device, plan.kernel, words, &plan.specialization)?;
+        let pipelines = plan
+            .specializations
+            .iter()
+            .map(|values| pipeline(device, plan.kernel, words, values))
+            .collect::<Result<Vec<_>>>()?;
         let point_bytes = 4 * u64::from(request.words_per_point());
         // Whole invocations: a tile each, or four words.
         let unit = u64::from(plan.tile.max(4)) * point_bytes;
@@ -91,7 +95,7 @@ impl Generator {
         Ok(Self {
             request: request.clone(),
             plan,
-            pipeline,
+            pipelines,
             results,
             table,
             device: Arc::clone(device),
@@ -112,8 +116,8 @@ impl Generator {
         self.limit
     }
 
-    /// Makes up to [`Self::limit`] points in one dispatch, `start` counted from the
-    /// request's first; the results stay in the buffer.
+    /// Makes up to [`Self::limit`] points, `start` counted from the request's first; the
+    /// results stay in the buffer. The time is that of all dispatches they take.
     ///
     /// # Errors
     /// Those of the device.
@@ -134,8 +138,16 @@ impl Generator {
             buffers.push((1, table));
         }
         let groups = groups(self.plan.kernel, invocations);
-        self.device
-            .run(&self.pipeline, &buffers, &push.bytes(), groups)
+        let mut total = Timing {
+            device_ns: Some(0.0),
+            host_ns: 0.0,
+        };
+        for pipeline in &self.pipelines {
+            let timing = self.device.run(pipeline, &buffers, &push.bytes(), groups)?;
+            total.host_ns += timing.host_ns;
+            total.device_ns = total.device_ns.zip(timing.device_ns).map(|(a, b)| a + b);
+        }
+        Ok(total)
     }
 
     /// Brings the chunk nearer to what the device makes in a tenth of a second, after a

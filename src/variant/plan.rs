@@ -1,7 +1,7 @@
 //! Which kernel a job runs, with which constants.
 
 use super::bases::{odometer_base, radical_base};
-use crate::interface::{COLUMN_WORDS, Column, Constant, KERNELS, Kernel, column_kind, output};
+use crate::interface::{COLUMN_WORDS, Column, KERNELS, Kernel, column_kind, output};
 use crate::reference::hammersley::hammersley_start;
 use crate::reference::odometer::OdometerBase;
 
@@ -27,8 +27,9 @@ pub struct Work<'a> {
 pub struct Plan {
     /// The module.
     pub kernel: &'static Kernel,
-    /// Values of its specialization constants.
-    pub specialization: Vec<(u32, u32)>,
+    /// Values of its specialization constants, for each dispatch that the points take:
+    /// one, or one per four columns.
+    pub specializations: Vec<Vec<(u32, u32)>>,
     /// The table of columns that the general kernel reads.
     pub table: Option<Vec<u32>>,
     /// Points of an invocation; 0 for the general kernel, which makes four words.
@@ -38,6 +39,10 @@ pub struct Plan {
 /// Below this many words the general kernel starts sooner than a tile kernel, which is
 /// compiled anew for its columns.
 const SMALL: u64 = 1 << 16;
+
+/// Wide rows take a tile kernel per four columns, each compiled anew: about as long as
+/// the general kernel takes for so many words.
+const LARGE: u64 = 1 << 21;
 
 /// Decides. Every choice gives the same bytes; they differ in speed only.
 #[must_use]
@@ -61,8 +66,11 @@ pub fn plan(work: &Work) -> Plan {
         "generate_tile_3",
         "generate_tile_4",
     ];
-    let mut plan = match tile.get(work.columns.len() - 1) {
+    let width = work.columns.len();
+    let parts = width.div_ceil(4) as u64;
+    let mut plan = match tile.get(width - 1) {
         Some(name) if words >= SMALL => tiled(name, work),
+        None if width.is_multiple_of(4) && words >= parts * LARGE => tiled(tile[3], work),
         _ => general(work),
     };
     plan.set("OUTPUT", output);
@@ -74,7 +82,7 @@ pub fn plan(work: &Work) -> Plan {
 pub fn general(work: &Work) -> Plan {
     let mut plan = Plan {
         kernel: kernel("generate"),
-        specialization: Vec::new(),
+        specializations: vec![Vec::new()],
         table: Some(
             work.columns
                 .iter()
@@ -110,26 +118,40 @@ fn tiled(name: &'static str, work: &Work) -> Plan {
     let tile = if work.cpu { longest.unwrap_or(16) } else { 4 };
     let mut plan = Plan {
         kernel: kernel(name),
-        specialization: Vec::new(),
+        specializations: Vec::new(),
         table: None,
         tile,
     };
-    plan.set("TILE", tile);
-    for (index, &column) in work.columns.iter().enumerate() {
-        let first = 16 * (index as u32 + 1);
-        for (offset, word) in (0..).zip(column_words(column, tile)) {
-            plan.specialization.push((first + offset, word));
+    for part in work.columns.chunks(4) {
+        let mut values = Vec::new();
+        for (index, &column) in part.iter().enumerate() {
+            let first = 16 * (index as u32 + 1);
+            values.extend((first..).zip(column_words(column, tile)));
         }
+        plan.specializations.push(values);
+    }
+    plan.set("TILE", tile);
+    plan.set("ROW", work.columns.len().div_ceil(4) as u32);
+    for part in 0..plan.specializations.len() {
+        plan.set_in(part, "PART", part as u32);
     }
     plan
 }
 
 impl Plan {
+    /// Gives a constant a value in every dispatch, if the kernel has it.
     fn set(&mut self, name: &str, value: u32) {
-        let of_name = |constant: &&Constant| constant.name == name;
-        if let Some(constant) = self.kernel.constants.iter().find(of_name) {
-            self.specialization.retain(|(id, _)| *id != constant.id);
-            self.specialization.push((constant.id, value));
+        for part in 0..self.specializations.len() {
+            self.set_in(part, name, value);
+        }
+    }
+
+    /// The same in one dispatch.
+    fn set_in(&mut self, part: usize, name: &str, value: u32) {
+        let constant = self.kernel.constants.iter().find(|c| c.name == name);
+        if let (Some(constant), Some(values)) = (constant, self.specializations.get_mut(part)) {
+            values.retain(|(id, _)| *id != constant.id);
+            values.push((constant.id, value));
         }
     }
 }
