@@ -26,6 +26,11 @@ uint corput_disk_coordinate(uint a, bool negative) {
     return negative ? 0x80000000u - a : min(a, 0x7fffffffu) + 0x80000000u;
 }
 
+// Whether x < 0, by its bits: a device may compare denormals as zeros.
+bool corput_disk_negative(float x) {
+    return floatBitsToUint(x) > 0x80000000u;
+}
+
 // x^2 + y^2 as a fraction of 2^62, below 2^62.
 uvec2 corput_disk_radius_squared(vec2 p) {
     uint x = corput_fixed31(p.x);
@@ -64,8 +69,8 @@ uvec2 corput_concentric_disk_invert(vec2 p) {
     uint angle = corput_atan_ratio(min(x, y), max(x, y));
     uint small = corput_shr64(corput_mul64(large, angle), 29u).x;
     bool x_large = x >= y;
-    return uvec2(corput_disk_coordinate(x_large ? large : small, p.x < 0.0),
-        corput_disk_coordinate(x_large ? small : large, p.y < 0.0));
+    return uvec2(corput_disk_coordinate(x_large ? large : small, corput_disk_negative(p.x)),
+        corput_disk_coordinate(x_large ? small : large, corput_disk_negative(p.y)));
 }
 
 // Point of the disk, polar map: r = sqrt(u.x), phi = 2 pi u.y.

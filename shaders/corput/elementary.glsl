@@ -22,7 +22,7 @@ struct CorputSinCos {
     bool cosine_negative;
 };
 
-// About sqrt(m) * 2^9, for m >= 2^30. Vulkan allows this to be off by 16.
+// About sqrt(m) * 2^9, for m >= 2^30. Vulkan allows this to be off by 20.
 uint corput_seed_sqrt(uint m) {
     return uint(sqrt(float(m)) * 512.0);
 }
@@ -47,7 +47,7 @@ int corput_seed_step(int r, uint d) {
 // floor(sqrt(m * 2^18)), for m >= 2^30: 25 bits.
 uint corput_sqrt_floor(uint m) {
     uint s = corput_seed_sqrt(m);
-    // The residual is exact modulo 2^32, since |r| < 2^31 for a seed within 16.
+    // The residual is exact modulo 2^32, since |r| < 2^31 for a seed within 31.
     int r = int((m << 18) - s * s);
     int step = corput_seed_step(r, 2u * s);
     s += uint(step);

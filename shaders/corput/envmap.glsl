@@ -16,13 +16,19 @@
 
 #include "corput/elementary.glsl"
 
+// A word that grows with the float of these bits.
+uint corput_envmap_order(uint bits) {
+    return (bits >> 31) != 0u ? ~bits : bits | 0x80000000u;
+}
+
 // Column and row of the texel in this direction.
 uvec2 corput_envmap_texel(vec3 direction, uvec2 size) {
+    uint z = corput_envmap_order(floatBitsToUint(direction.z));
     uint low = 0u;
     uint high = size.y - 1u;
     while (low < high) {
         uint middle = (low + high + 1u) >> 1;
-        if (direction.z <= uintBitsToFloat(CORPUT_ENVMAP_EDGE(middle))) {
+        if (z <= corput_envmap_order(CORPUT_ENVMAP_EDGE(middle))) {
             low = middle;
         } else {
             high = middle - 1u;

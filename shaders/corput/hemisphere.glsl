@@ -16,10 +16,12 @@
 
 #include "corput/disk.glsl"
 
-// z/pi for z >= 2^-126, else 0: the pdf of both cosine-weighted forms.
+// z/pi for z > 0, else 0: the pdf of both cosine-weighted forms. For z below
+// 2^-124 it is 0 as well; infinities and NaN are no directions and have pdf 0.
 float corput_cosine_over_pi(float z) {
     uint bits = floatBitsToUint(z);
-    if (bits < 0x00800000u || bits > 0x7f800000u) {
+    // z below 2^-124 is where z/pi could leave the normal floats.
+    if (bits < 0x01800000u || bits >= 0x7f800000u) {
         return 0.0;
     }
     CorputScaled scaled = CorputScaled((bits << 8) | 0x80000000u, int(bits >> 23) - 158);
@@ -40,9 +42,11 @@ vec3 corput_uniform_hemisphere(uvec2 u) {
         corput_pack(z, false));
 }
 
-// 1/(2 pi) above the horizon.
+// 1/(2 pi) for z >= 0, else 0.
 float corput_uniform_hemisphere_pdf(vec3 direction) {
-    return direction.z >= 0.0 ? uintBitsToFloat(0x3e22f983u) : 0.0;
+    // By the bits: a device may compare denormals as zeros.
+    uint z = floatBitsToUint(direction.z);
+    return z <= 0x7f800000u || z == 0x80000000u ? uintBitsToFloat(0x3e22f983u) : 0.0;
 }
 
 // The fractions that give this direction.

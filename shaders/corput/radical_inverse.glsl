@@ -70,10 +70,15 @@ uint corput_radical_inverse_table(uint n, CorputBase b) {
     return corput_prepend_digits(corput_reverse_digits(n - n1 * b.power, b), y, b);
 }
 
-// ceil(2^32 phi_b(n)) from the base alone, by the device's integer division.
+// ceil(2^32 phi_b(n)) from the base alone, by the device's integer division; 0 for
+// bases below 2 and above 65535.
 uint corput_radical_inverse(uint n, uint base) {
     if (base == 2u) {
         return corput_van_der_corput(n);
+    }
+    // No base: 0 is what corput_prime gives past its table.
+    if (base < 2u || base > 65535u) {
+        return 0u;
     }
     uint power = base;
     while (power * base <= 65535u) {

@@ -133,8 +133,12 @@ uvec4 evaluate(uvec4 a) {
         return uvec4(corput_concentric_disk_invert(v.xy), corput_polar_disk_invert(v.xy));
     case 19u:
         return uvec4(corput_uniform_hemisphere_invert(v), corput_cosine_hemisphere_invert(v));
-    default:
+    case 20u:
         return uvec4(corput_cosine_hemisphere_polar_invert(v), 0u, 0u);
+    default:
+        d = vec3(0.0, 0.0, f(a.x));
+        return uvec4(floatBitsToUint(corput_cosine_hemisphere_pdf(d)),
+            floatBitsToUint(corput_uniform_hemisphere_pdf(d)), 0u, 0u);
     }
 #endif
 }

@@ -90,6 +90,11 @@ const fn frame(name: &'static str, id: u32, bound: f64) -> Function {
 }
 
 /// Every function of the exact profile.
+///
+/// Bounds of inverses are against the exact inverse of the given floats: the concentric
+/// one takes a root cut to 25 bits, 2^-24 of it, of which u is half; the polar one floors
+/// two squares and rounds an angle. A frame's coordinates take up to five roundings of
+/// values up to 1, half a unit of 2^-24 each, and one more of a product.
 pub const FUNCTIONS: &[Function] = &[
     integer("mul64", "fixed", 0, Kind::Words),
     integer("add64", "fixed", 1, Kind::Words),
@@ -130,13 +135,13 @@ pub const FUNCTIONS: &[Function] = &[
         1.6,
         "ULP",
     ),
-    float("disk_invert", "disk", 18, Kind::Direction, 4096.0, "2^-32"),
+    float("disk_invert", "disk", 18, Kind::Direction, 128.0, "2^-32"),
     float(
         "hemisphere_invert",
         "hemisphere",
         19,
         Kind::Direction,
-        4096.0,
+        128.0,
         "2^-32",
     ),
     float(
@@ -144,11 +149,11 @@ pub const FUNCTIONS: &[Function] = &[
         "hemisphere",
         20,
         Kind::Direction,
-        4096.0,
+        4.0,
         "2^-32",
     ),
-    frame("frame_tangent", 0, 8.0),
-    frame("frame_bitangent", 1, 8.0),
-    frame("frame_to_world", 2, 16.0),
-    frame("frame_to_local", 3, 16.0),
+    frame("frame_tangent", 0, 4.0),
+    frame("frame_bitangent", 1, 4.0),
+    frame("frame_to_world", 2, 4.0),
+    frame("frame_to_local", 3, 4.0),
 ];

@@ -67,8 +67,10 @@ pub enum Output {
     Floats,
 }
 
-/// Points to make: every combination in here can be made.
+/// Points to make, as [`Request::new`] checks them. Whoever changes a member answers for
+/// the combination.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Request {
     /// The sequence.
     pub sequence: Sequence,

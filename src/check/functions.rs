@@ -70,6 +70,16 @@ fn f(word: u32) -> f32 {
     f32::from_bits(word)
 }
 
+/// The float of these bits, denormals as zeros: so the functions take them.
+fn flushed(word: u32) -> f32 {
+    let x = f(word);
+    if x.is_subnormal() {
+        0f32.copysign(x)
+    } else {
+        x
+    }
+}
+
 fn v3(a: [u32; 4]) -> Vec3 {
     vec3(f(a[0]), f(a[1]), f(a[2]))
 }
@@ -139,6 +149,15 @@ fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
             let d = hemisphere::cosine_hemisphere_polar(u);
             spatial(d, hemisphere::cosine_hemisphere_polar_pdf(d).to_bits())
         }
+        "hemisphere_pdf" => {
+            let d = vec3(0.0, 0.0, f(a[0]));
+            [
+                hemisphere::cosine_hemisphere_pdf(d).to_bits(),
+                hemisphere::uniform_hemisphere_pdf(d).to_bits(),
+                0,
+                0,
+            ]
+        }
         "disk_invert" => two(
             disk::concentric_disk_invert(v.truncate()),
             disk::polar_disk_invert(v.truncate()),
@@ -180,11 +199,11 @@ fn error(name: &str, a: [u32; 4], got: [u32; 4]) -> f64 {
             ulps(&[c, s])
         }
         // The judge rounds correctly too: any difference is a failure.
-        "sqrt" => rounded(f(got[0]), judge::sqrt(f(a[0]))),
-        "divide" => rounded(f(got[0]), judge::divide(f(a[0]), f(a[1]))),
-        "multiply" => rounded(f(got[0]), judge::multiply(f(a[0]), f(a[1]))),
+        "sqrt" => rounded(f(got[0]), judge::sqrt(flushed(a[0]))),
+        "divide" => rounded(f(got[0]), judge::divide(flushed(a[0]), flushed(a[1]))),
+        "multiply" => rounded(f(got[0]), judge::multiply(flushed(a[0]), flushed(a[1]))),
         "atan2" => {
-            let (x, y) = (f(a[0]), f(a[1]));
+            let (x, y) = (flushed(a[0]), flushed(a[1]));
             if !x.is_finite() || !y.is_finite() || (x == 0.0 && y == 0.0) {
                 return 0.0;
             }
@@ -198,6 +217,13 @@ fn error(name: &str, a: [u32; 4], got: [u32; 4]) -> f64 {
         ),
         "cosine_hemisphere" => lambert(judge::cosine_hemisphere(u)),
         "cosine_hemisphere_polar" => lambert(judge::cosine_hemisphere_polar(u)),
+        "hemisphere_pdf" => {
+            let z = f64::from(f(a[0]));
+            let over_pi = std::f64::consts::FRAC_1_PI;
+            let direction = z.is_finite() && z >= f64::powi(2.0, -124);
+            let half = if f(a[0]) >= 0.0 { 0.5 * over_pi } else { 0.0 };
+            ulps(&[if direction { z * over_pi } else { 0.0 }, half])
+        }
         "disk_invert" => concentric(got[0], got[1], a).max(polar(got[2], got[3], a)),
         "hemisphere_invert" => {
             let z = f64::from(f(a[2])).abs().min(1.0 - f64::powi(2.0, -32));

@@ -78,10 +78,13 @@ fn words() -> Vec<u32> {
     list
 }
 
-/// Floats of many exponents with critical mantissas, zeros, infinities and NaN; no
-/// denormals, which a device may flush when it loads them.
+/// Floats of many exponents with critical mantissas, zeros, denormals, infinities and
+/// NaN. Loads and bitcasts keep denormals on every device.
 fn floats() -> Vec<u32> {
     let mut list = vec![0, 0x8000_0000, 0x7f80_0000, 0xff80_0000, 0x7fc0_0000];
+    for denormal in [1, 2, 0x40_0000, 0x7f_ffff] {
+        list.extend([denormal, denormal | 0x8000_0000]);
+    }
     for exponent in [
         1, 2, 60, 96, 100, 119, 120, 124, 125, 126, 127, 128, 129, 140, 150, 200, 253, 254,
     ] {

@@ -59,6 +59,8 @@ pub const NATIVE: &[NativeRow] = &[
         Kind::Direction,
         ARC,
     ),
+    row("native_frame_to_world", 10, Kind::Direction, ALGEBRA),
+    row("native_frame_to_local", 11, Kind::Direction, ALGEBRA),
 ];
 
 /// Checks a native function.
@@ -150,6 +152,17 @@ fn error(id: u32, a: [u32; 4], got: [u32; 4]) -> f64 {
             };
             wrapped(got[0], 0.5 + 0.5 * x.copysign(v[0]))
                 .max(wrapped(got[1], 0.5 + 0.5 * y.copysign(v[1])))
+        }
+        10 | 11 => {
+            // The vector (0.6, 0, 0.8) of `evaluate.comp`.
+            let [t, b] = judge::frame(v);
+            let d = [0.6, 0.0, 0.8];
+            let dot = |p: [f64; 3]| d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+            if id == 10 {
+                away(&[0, 1, 2].map(|i| d[0] * t[i] + d[1] * b[i] + d[2] * v[i]))
+            } else {
+                away(&[dot(t), dot(b), dot(v)])
+            }
         }
         _ => wrapped(got[0], square).max(wrapped(got[1], angle)),
     }

@@ -14,6 +14,7 @@ pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
         bar.set_message(name.to_owned());
     })?;
     bar.finish_and_clear();
+    host::validated(device.instance())?;
     let line = host::line(device.info());
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     if args.json {

@@ -35,7 +35,7 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
         print(&table(&outcome).to_string());
         print(&summary(&outcome));
     }
-    host::validated(&device)?;
+    host::validated(device.instance())?;
     Ok(outcome.result()?)
 }
 

@@ -25,7 +25,7 @@ pub fn run(args: &DemoArgs) -> anyhow::Result<()> {
     })?;
     bar.finish_and_clear();
     print(&report(args, &found, &device));
-    host::validated(&device)?;
+    host::validated(device.instance())?;
     if found.all_equal() {
         return Ok(());
     }

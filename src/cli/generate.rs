@@ -41,7 +41,7 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     let sink = Sink::open(&target, format, layout, arguments(args, device.as_ref()))?;
     stream(engine.as_mut(), &request, sink)?;
     if let Some(device) = &device {
-        host::validated(device)?;
+        host::validated(device.instance())?;
     }
     Ok(())
 }

@@ -41,8 +41,8 @@ pub fn open(argument: Option<&str>) -> Result<Arc<Device>> {
 }
 
 /// Fails where the validation layer has found something.
-pub fn validated(device: &Arc<Device>) -> Result<()> {
-    let said = device.instance().take_validation_messages();
+pub fn validated(instance: &Instance) -> Result<()> {
+    let said = instance.take_validation_messages();
     if said.is_empty() {
         return Ok(());
     }

@@ -14,8 +14,8 @@ pub struct Evaluator {
     device: Arc<Device>,
 }
 
-/// Results at a time: 64 MiB of them.
-const CHUNK: usize = 1 << 22;
+/// Results at a time: a short dispatch on the slowest device.
+const CHUNK: usize = 1 << 18;
 
 impl Evaluator {
     /// Function `id` of the stock kernel with this name.

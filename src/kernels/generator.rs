@@ -12,8 +12,8 @@ use std::sync::Arc;
 /// allow, and a multiple of every tile.
 const BUFFER_BYTES: u64 = 64 << 20;
 
-/// Points of the first dispatch: short on the slowest device.
-const FIRST_CHUNK: u64 = 1 << 16;
+/// Words of the first dispatch: short on the slowest device.
+const FIRST_WORDS: u64 = 1 << 16;
 
 /// A dispatch should take about this long: far below the 0.5 s after which desktops
 /// take a driver for hung.
@@ -92,6 +92,8 @@ impl Generator {
             None => None,
         };
         let limit = bytes / point_bytes;
+        let tile = u64::from(plan.tile.max(4));
+        let first = (FIRST_WORDS * 4 / point_bytes).next_multiple_of(tile);
         Ok(Self {
             request: request.clone(),
             plan,
@@ -100,7 +102,7 @@ impl Generator {
             table,
             device: Arc::clone(device),
             limit,
-            chunk: FIRST_CHUNK.min(limit),
+            chunk: first.min(limit),
         })
     }
 

@@ -1,9 +1,9 @@
 //! Irradiance of an environment map, by cosine-weighted Hammersley directions.
 
 use super::{groups, kernel, pipeline, spirv};
-use crate::Result;
 use crate::interface::IrradiancePush;
 use crate::vulkan::{Access, Buffer, Device, Pipeline, Timing};
+use crate::{Error, Result};
 use std::sync::Arc;
 
 /// Sums of the three channels, in units of 2^-scale.
@@ -57,12 +57,22 @@ impl Irradiator {
         })
     }
 
+    /// Directions that one sum may take: its dispatch stays short.
+    pub const MAX_COUNT: u32 = 1 << 24;
+
     /// Sums the radiance that `count` directions around an axis (0 to 5: +x, -x, +y, -y,
     /// +z, -z) meet. The sum has the same bits for every grouping, as integers have.
     ///
     /// # Errors
     /// Those of the device.
     pub fn run(&self, axis: u32, count: u32, scale: u32) -> Result<(IrradianceSum, Timing)> {
+        if count == 0 || count > Self::MAX_COUNT {
+            return Err(Error::Arguments {
+                asked: format!("a sum of {count} directions"),
+                limit: format!("one sum takes 1 to {} of them", Self::MAX_COUNT),
+                remedy: "ask for fewer".into(),
+            });
+        }
         let row = kernel("irradiance")?;
         let invocations = count.min(INVOCATIONS).max(count.div_ceil(POINTS));
         let bytes = 32 * u64::from(invocations);

@@ -37,6 +37,13 @@ pub fn disk_coordinate(a: u32, negative: bool) -> u32 {
     }
 }
 
+/// Whether x < 0, by its bits: a device may compare denormals as zeros.
+#[inline]
+#[must_use]
+pub fn disk_negative(x: f32) -> bool {
+    x.to_bits() > 0x8000_0000
+}
+
 /// x^2 + y^2 as a fraction of 2^62, below 2^62.
 #[inline]
 #[must_use]
@@ -104,8 +111,8 @@ pub fn concentric_disk_invert(p: Vec2) -> UVec2 {
     let small = shr64(mul64(large, angle), 29).x;
     let x_large = x >= y;
     uvec2(
-        disk_coordinate(if x_large { large } else { small }, p.x < 0.0),
-        disk_coordinate(if x_large { small } else { large }, p.y < 0.0),
+        disk_coordinate(if x_large { large } else { small }, disk_negative(p.x)),
+        disk_coordinate(if x_large { small } else { large }, disk_negative(p.y)),
     )
 }
 

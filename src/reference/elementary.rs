@@ -22,7 +22,7 @@ pub struct SinCos {
     pub cosine_negative: bool,
 }
 
-/// About `sqrt(m) * 2^9`, for `m >= 2^30`. Vulkan allows this to be off by 16.
+/// About `sqrt(m) * 2^9`, for `m >= 2^30`. Vulkan allows this to be off by 20.
 #[inline]
 #[must_use]
 pub fn seed_sqrt(m: u32) -> u32 {
@@ -57,7 +57,7 @@ pub fn seed_step(r: i32, d: u32) -> i32 {
 #[must_use]
 pub fn sqrt_floor(m: u32) -> u32 {
     let mut s = seed_sqrt(m);
-    // The residual is exact modulo 2^32, since |r| < 2^31 for a seed within 16.
+    // The residual is exact modulo 2^32, since |r| < 2^31 for a seed within 31.
     let mut r = (m << 18).wrapping_sub(s.wrapping_mul(s)) as i32;
     let step = seed_step(r, 2 * s);
     s = s.wrapping_add(step as u32);

@@ -15,12 +15,14 @@ use crate::reference::elementary::{atan2, sincos_scaled, sqrt_fraction, sqrt_fra
 use crate::reference::fixed::{Scaled, fixed31, mul64, pack, scaled, scaled_mul, shl64, sub64};
 use glam::{UVec2, Vec3, uvec2, vec3};
 
-/// z/pi for z >= 2^-126, else 0: the pdf of both cosine-weighted forms.
+/// z/pi for z > 0, else 0: the pdf of both cosine-weighted forms. For z below 2^-124 it
+/// is 0 as well; infinities and NaN are no directions and have pdf 0.
 #[inline]
 #[must_use]
 pub fn cosine_over_pi(z: f32) -> f32 {
     let bits = z.to_bits();
-    if !(0x0080_0000..=0x7f80_0000).contains(&bits) {
+    // z below 2^-124 is where z/pi could leave the normal floats.
+    if !(0x0180_0000..0x7f80_0000).contains(&bits) {
         return 0.0;
     }
     let scaled = Scaled {
@@ -55,11 +57,13 @@ pub fn uniform_hemisphere(u: UVec2) -> Vec3 {
     )
 }
 
-/// 1/(2 pi) above the horizon.
+/// 1/(2 pi) for z >= 0, else 0.
 #[inline]
 #[must_use]
 pub fn uniform_hemisphere_pdf(direction: Vec3) -> f32 {
-    if direction.z >= 0.0 {
+    // By the bits: a device may compare denormals as zeros.
+    let z = direction.z.to_bits();
+    if z <= 0x7f80_0000 || z == 0x8000_0000 {
         f32::from_bits(0x3e22_f983)
     } else {
         0.0

@@ -83,12 +83,17 @@ pub fn radical_inverse_table(n: u32, b: Base) -> u32 {
     prepend_digits(reverse_digits(n - n1 * b.power, b), y, b)
 }
 
-/// `ceil(2^32 phi_b(n))` from the base alone, by integer division.
+/// `ceil(2^32 phi_b(n))` from the base alone, by integer division; 0 for bases
+/// below 2 and above 65535.
 #[inline]
 #[must_use]
 pub fn radical_inverse(mut n: u32, base: u32) -> u32 {
     if base == 2 {
         return van_der_corput(n);
+    }
+    // No base: 0 is what `prime` gives past its table.
+    if !(2..=65535).contains(&base) {
+        return 0;
     }
     let mut power = base;
     while power * base <= 65535 {

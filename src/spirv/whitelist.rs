@@ -117,27 +117,8 @@ pub(super) fn is_integer_arithmetic(op: Op) -> bool {
 /// Opcodes of the exact profile's whitelist, extended instructions and
 /// specialization constant operations aside.
 pub(super) fn is_exact(op: Op) -> bool {
-    is_integer_arithmetic(op) || is_declaration(op) || is_structure(op) || is_float_compare(op)
-}
-
-/// Compares give a correct result for every pair of floats.
-fn is_float_compare(op: Op) -> bool {
-    use Op as O;
-    matches!(
-        op,
-        O::FOrdEqual
-            | O::FUnordEqual
-            | O::FOrdNotEqual
-            | O::FUnordNotEqual
-            | O::FOrdLessThan
-            | O::FUnordLessThan
-            | O::FOrdGreaterThan
-            | O::FUnordGreaterThan
-            | O::FOrdLessThanEqual
-            | O::FUnordLessThanEqual
-            | O::FOrdGreaterThanEqual
-            | O::FUnordGreaterThanEqual
-    )
+    // No float compares: a device that flushes denormals takes them for zeros.
+    is_integer_arithmetic(op) || is_declaration(op) || is_structure(op)
 }
 
 /// Types, constants, decorations, debug information. Some are judged further

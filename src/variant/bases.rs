@@ -14,9 +14,11 @@ fn division_magic(d: u32) -> (u32, u32) {
     (magic, bits - 1)
 }
 
-/// What the radical inverse in this base needs, for 2 <= base <= 65535.
+/// What the radical inverse in this base needs; bases below 2 count as 2, bases above
+/// 65535 as 65535.
 #[must_use]
 pub fn radical_base(base: u32) -> Base {
+    let base = base.clamp(2, 65535);
     let mut digits = 1;
     let mut power = base;
     while power * base <= 65535 {

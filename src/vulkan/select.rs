@@ -25,7 +25,10 @@ pub fn select<'a>(devices: &'a [DeviceInfo], asked: Option<&str>) -> Result<&'a 
         asked: asked.to_owned(),
         present: list(devices.iter()),
     };
-    if !asked.is_empty() && asked.bytes().all(|byte| byte.is_ascii_digit()) {
+    if asked.is_empty() {
+        return Err(unknown());
+    }
+    if asked.bytes().all(|byte| byte.is_ascii_digit()) {
         let index = asked.parse::<usize>().ok();
         return devices
             .iter()

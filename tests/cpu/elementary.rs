@@ -351,3 +351,52 @@ fn fixed_point_matches_128_bit_arithmetic() {
         assert_eq!(fixed::fixed31(-value), fixed::fixed31(value));
     }
 }
+
+/// Against arc cosine and arc tangent in `f64`, away from the edges of texels, where
+/// either neighbour is right.
+#[test]
+fn envmap_texels_are_those_of_arc_cosine_and_arc_tangent() {
+    use corput::bulk::row_edges;
+    use corput::reference::envmap::envmap_texel;
+    for (width, height) in [(1, 1), (2, 1), (5, 3), (1024, 512), (8192, 4096)] {
+        let edges = row_edges(height);
+        let mut judged = 0;
+        for i in 1..1u32 << 16 {
+            let d = hemisphere::uniform_hemisphere(uvec2(mix(i), mix(!i)));
+            let d = if i & 1 == 0 {
+                d
+            } else {
+                Vec3::new(d.x, d.y, -d.z)
+            };
+            let texel = envmap_texel(d, uvec2(width, height), &edges);
+            let row =
+                f64::from(d.z).clamp(-1.0, 1.0).acos() / std::f64::consts::PI * f64::from(height);
+            let column = judge::atan2_turns(d.y, d.x) * f64::from(width);
+            let near_edge = |x: f64| (x - x.round()).abs() < 1e-2;
+            assert!(texel.x < width && texel.y < height);
+            if !near_edge(row) && !near_edge(column) {
+                assert_eq!(
+                    [texel.x, texel.y],
+                    [column as u32, row as u32],
+                    "{d} in {width} x {height}"
+                );
+                judged += 1;
+            }
+        }
+        assert!(judged > 60_000, "{judged} of {width} x {height}");
+    }
+}
+
+#[test]
+fn halton_takes_its_prime_and_no_base_gives_zero() {
+    use corput::reference::{halton, primes, radical_inverse};
+    for dimension in 0..1024 {
+        let prime = primes::prime(dimension);
+        let truth = judge::radical_inverse(123_456_789, prime);
+        assert_eq!(u64::from(halton::halton(123_456_789, prime)), truth);
+    }
+    assert_eq!(primes::prime(1024), 0);
+    for base in [0, 1, 65_536, u32::MAX] {
+        assert_eq!(radical_inverse::radical_inverse(7, base), 0);
+    }
+}

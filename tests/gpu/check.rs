@@ -24,3 +24,35 @@ fn every_row_passes_on_every_device() {
         assert_eq!(outcome.failures(), 0);
     });
 }
+
+/// Desktops take a driver for hung after seconds; half a second is the rule here, for the
+/// first dispatch of the widest rows as for any later one.
+#[test]
+fn dispatches_are_short() {
+    use corput::catalog::{Engine, Options, Request, Sequence};
+    support::on_each_device(|device| {
+        for dimensions in [1, 2, 8, 1024] {
+            let mut options = Options::new(Sequence::Halton, 1 << 22);
+            options.dimensions = Some(dimensions);
+            let request = Request::new(&options).unwrap_or_else(|error| panic!("{error}"));
+            let mut generator = corput::kernels::Generator::general(device, &request)
+                .unwrap_or_else(|error| panic!("{error}"));
+            let mut start = 0;
+            // The chunk grows fourfold at most: six reach the size that stays.
+            for _ in 0..6 {
+                let points = generator.chunk().min(request.count - start);
+                let timing = generator
+                    .dispatch(start, points)
+                    .unwrap_or_else(|error| panic!("{error}"));
+                let seconds = timing.device_ns.unwrap_or(timing.host_ns) * 1e-9;
+                println!("{dimensions} dimensions, {points} points: {seconds:.3} s");
+                assert!(
+                    seconds < 0.5,
+                    "{points} points of {dimensions}: {seconds} s"
+                );
+                generator.adapt(points, &timing);
+                start += points;
+            }
+        }
+    });
+}

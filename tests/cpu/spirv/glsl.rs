@@ -48,6 +48,7 @@ void main() {{ data[0] = corput_bad(data[1]); }}
 
 /// An expression, and the opcode for which the linter must name its function.
 pub const FORBIDDEN_IN_FUNCTION: &[(&str, &str)] = &[
+    ("f < 1.0 ? f : 0.0", "FOrdLessThan"),
     ("sin(f)", "GLSL.std.450 Sin"),
     ("cos(f)", "GLSL.std.450 Cos"),
     ("atan(f, f)", "GLSL.std.450 Atan2"),
@@ -209,7 +210,7 @@ void main() {
     if (index >= count) { return; }
     Corput_Pair pair = Corput_Pair(corput_bits(index) + corput_sqrt(index), corput_unit_ceil(index));
     vec2 unit = corput_unit_floor(wide[index].xy);
-    if (unit.x < unit.y) { unit = unit.yx; }
+    if (floatBitsToUint(unit.x) < floatBitsToUint(unit.y)) { unit = unit.yx; }
     floats[index] = unit.x;
     data[index] = floatBitsToUint(pair.value) + pair.bits * COUNT;
     atomicAdd(total, pair.bits);
