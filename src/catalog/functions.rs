@@ -135,6 +135,7 @@ pub const FUNCTIONS: &[Function] = &[
         1.6,
         "ULP",
     ),
+    float("hemisphere_pdf", "hemisphere", 21, Kind::Float, 0.53, "ULP"),
     float("disk_invert", "disk", 18, Kind::Direction, 128.0, "2^-32"),
     float(
         "hemisphere_invert",

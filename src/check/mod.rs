@@ -6,6 +6,7 @@
 
 mod functions;
 mod inputs;
+mod irradiance;
 mod native;
 mod native_points;
 mod points;
@@ -101,6 +102,9 @@ pub fn run(
         if wanted(&[&case.name, case.kernel]) {
             add(points::check(device, &case)?);
         }
+    }
+    if wanted(&["irradiance", "envmap_texel", "envmap"]) {
+        add(irradiance::check(device)?);
     }
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {

@@ -4,13 +4,14 @@ use super::args::DemoArgs;
 use super::{host, interrupt, print, progress};
 use comfy_table::{CellAlignment, Table, presets};
 use corput::demo::{self, Demo};
-use corput::image::load_exr;
+use corput::image::{Image, load_exr};
 use corput::{Error, vulkan::Device};
 use std::sync::Arc;
 
 pub fn run(args: &DemoArgs) -> anyhow::Result<()> {
     let device = host::open(args.device.as_deref())?;
     let image = load_exr(&args.env)?;
+    fits(&device, &image, args)?;
     std::fs::create_dir_all(&args.out).map_err(|source| Error::Output {
         path: args.out.clone(),
         problem: source.to_string(),
@@ -41,6 +42,34 @@ pub fn run(args: &DemoArgs) -> anyhow::Result<()> {
     }
     .into())
 }
+
+/// Refuses before work a map that one buffer cannot hold, or whose sums would overflow.
+fn fits(device: &Device, image: &Image, args: &DemoArgs) -> corput::Result<()> {
+    let refused = |problem: String, remedy: &str| Error::Image {
+        path: args.env.clone(),
+        problem,
+        remedy: remedy.to_owned(),
+    };
+    let bytes = 12 * image.texels.len() as u64;
+    let limit = device.info().limits.max_storage_buffer_range;
+    if bytes > limit {
+        return Err(refused(
+            format!("its texels take {bytes} bytes, and a buffer of this device holds {limit}"),
+            "scale the map down",
+        ));
+    }
+    let peak = image.texels.iter().flatten().fold(0f32, |a, &b| a.max(b));
+    if peak > PEAK {
+        return Err(refused(
+            format!("its brightest texel has a radiance of {peak:e}; the sums hold up to {PEAK:e}"),
+            "scale its radiance down",
+        ));
+    }
+    Ok(())
+}
+
+/// Radiance of which 2^20 samples fit in sums of 64 bits.
+const PEAK: f32 = 1e12;
 
 fn report(args: &DemoArgs, found: &Demo, device: &Arc<Device>) -> String {
     let mut lines = Vec::new();

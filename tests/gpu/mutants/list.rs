@@ -183,6 +183,10 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/hemisphere.glsl", "corput_sqrt_fraction(0u - u.x)", "corput_sqrt_fraction(~u.x)"),
     mutant("an inverse on the wrong side", Mismatch, Function("disk_invert"),
         "corput/disk.glsl", "negative ? 0x80000000u - a", "!negative ? 0x80000000u - a"),
+    mutant("pdfs below the normal floats", Mismatch, Function("hemisphere_pdf"),
+        "corput/hemisphere.glsl", "bits < 0x01800000u", "bits < 0x00800000u"),
+    mutant("a pdf by a float compare", Linter, Function("hemisphere_pdf"),
+        "corput/hemisphere.glsl", "z <= 0x7f800000u || z == 0x80000000u", "direction.z >= 0.0"),
     // The frame.
     mutant("fma in the frame", Linter, Function("frame_to_world"),
         "corput/frame.glsl", "CORPUT_PRECISE float abc = ab + c;", "float abc = fma(v.z, w.z, ab);"),
