@@ -164,7 +164,7 @@ mod tests {
         assert!(!text.contains("Radeon"), "{text}");
         assert!(matches!(
             select(&all, Some("")),
-            Err(Error::Arguments { .. })
+            Err(Error::UnknownDevice { .. })
         ));
         assert!(matches!(
             select(&all, Some("arc")),
