@@ -32,3 +32,28 @@ fn primes_are_the_first_1024() {
     assert_eq!(nearest_prime(0), 2);
     assert_eq!(nearest_prime(u64::MAX), 8161);
 }
+
+/// A map's bound, pdf and measure stand in the catalogue, in the row of its function and
+/// in the README: one change must not leave the others behind.
+#[test]
+fn maps_agree_with_their_functions_and_the_readme() {
+    use corput::catalog::{FUNCTIONS, MAPS};
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+    let readme = std::fs::read_to_string(path).expect("the README is there");
+    for map in MAPS {
+        let function = map.name.replace('-', "_");
+        let row = FUNCTIONS.iter().find(|row| row.name == function);
+        let row = row.unwrap_or_else(|| panic!("no function {function}"));
+        assert_eq!(row.bound, Some(map.ulp), "{function}");
+        assert_eq!(row.tier, map.tier, "{function}");
+        let line = format!(
+            "| `{}` | {} | {} | {} | {} |",
+            map.name,
+            map.pdf,
+            map.measure,
+            map.ulp,
+            map.tier.letter()
+        );
+        assert!(readme.contains(&line), "the README lacks: {line}");
+    }
+}
