@@ -19,6 +19,7 @@ pub use points::{Case, compare_points};
 pub use rows::{Row, Verdict};
 
 use crate::catalog::{FUNCTIONS, Tier};
+use crate::interface::KERNELS;
 use crate::kernels::probe;
 use crate::vulkan::{Device, Probe};
 use crate::{Error, Result};
@@ -94,8 +95,10 @@ pub fn run(
             continue;
         }
         add(functions::check(device, function, function.kernel)?);
-        if function.kernel == "evaluate" {
-            add(functions::check(device, function, "evaluate_portable")?);
+        // The same function built with CORPUT_PORTABLE, where there is such a module.
+        let portable = format!("{}_portable", function.kernel);
+        if KERNELS.iter().any(|kernel| kernel.name == portable) {
+            add(functions::check(device, function, &portable)?);
         }
     }
     for case in points::cases()? {
