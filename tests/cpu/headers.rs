@@ -19,9 +19,14 @@ const LANGUAGES: [(&str, &str); 2] = [
 ];
 
 /// Hooks: the header that needs it, the macro, a definition.
-const HOOKS: [(&str, &str, &str); 2] = [
+const HOOKS: [(&str, &str, &str); 3] = [
     (
         "corput/halton.glsl",
+        "CORPUT_PRIME",
+        "#define CORPUT_PRIME(d) (2u + (d))\n",
+    ),
+    (
+        "corput/halton_scrambled.glsl",
         "CORPUT_PRIME",
         "#define CORPUT_PRIME(d) (2u + (d))\n",
     ),

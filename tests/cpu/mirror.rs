@@ -13,6 +13,19 @@ use std::collections::BTreeSet;
 const HOOKS: &[(&str, &[(&str, &str)])] = &[
     // CORPUT_PRIME(dimension) is called by the shader, by the caller of the twin.
     ("halton", &[("u32", "n"), ("u32", "prime")]),
+    ("halton_faure", &[("u32", "n"), ("u32", "prime")]),
+    (
+        "halton_permuted",
+        &[("u32", "n"), ("u32", "prime"), ("u32", "seed")],
+    ),
+    (
+        "halton_owen",
+        &[("u32", "n"), ("u32", "prime"), ("u32", "seed")],
+    ),
+    (
+        "halton_started",
+        &[("u32", "n"), ("u32", "prime"), ("u32", "seed")],
+    ),
     // CORPUT_ENVMAP_EDGE(i) reads what the twin gets as a slice.
     (
         "envmap_texel",
