@@ -10,6 +10,7 @@ mod irradiance;
 mod native;
 mod native_points;
 mod points;
+mod random;
 mod rows;
 
 pub use functions::compare_function;

@@ -6,6 +6,7 @@
 
 mod functions;
 mod maps;
+pub mod random;
 
 pub use functions::{atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sqrt};
 pub use maps::{
