@@ -83,6 +83,13 @@ const fn random(name: &'static str, header: &'static str, id: u32) -> Function {
     }
 }
 
+const fn net(name: &'static str, header: &'static str, id: u32) -> Function {
+    Function {
+        kernel: "evaluate_net",
+        ..integer(name, header, id, Kind::Words)
+    }
+}
+
 const fn frame(name: &'static str, id: u32, bound: f64) -> Function {
     Function {
         name,
@@ -172,6 +179,8 @@ pub const FUNCTIONS: &[Function] = &[
     random("owen", "owen", 9),
     random("owen_hash", "owen", 10),
     random("matrix_scramble", "owen", 11),
+    net("sobol", "sobol", 0),
+    net("pmj02", "pmj02", 1),
     frame("frame_tangent", 0, 4.0),
     frame("frame_bitangent", 1, 4.0),
     frame("frame_to_world", 2, 4.0),

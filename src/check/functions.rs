@@ -1,8 +1,8 @@
 //! Rows of the exact profile: device, reference and judge on the same arguments.
 
 use super::inputs::arguments;
-use super::random;
 use super::rows::{Row, Verdict};
+use super::{net, random};
 use crate::Result;
 use crate::catalog::Function;
 use crate::judge::{self, ulp_error};
@@ -175,7 +175,9 @@ fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
         "frame_to_world" => spatial(frame::frame_to_world(frame::frame(v), local(a[3])), 0),
         "frame_to_local" => spatial(frame::frame_to_local(frame::frame(v), local(a[3])), 0),
         // A name that is not of the catalogue is a mismatch everywhere.
-        _ => random::reference(name, a).unwrap_or([u32::MAX; 4]),
+        _ => random::reference(name, a)
+            .or_else(|| net::reference(name, a))
+            .unwrap_or([u32::MAX; 4]),
     }
 }
 

@@ -8,7 +8,9 @@ mod functions;
 mod maps;
 pub mod random;
 
-pub use functions::{atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sqrt};
+pub use functions::{
+    atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sobol_directions, sqrt,
+};
 pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,

@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &str); 2] = [
 ];
 
 /// Hooks: the header that needs it, the macro, a definition.
-const HOOKS: [(&str, &str, &str); 3] = [
+const HOOKS: [(&str, &str, &str); 4] = [
     (
         "corput/halton.glsl",
         "CORPUT_PRIME",
@@ -29,6 +29,11 @@ const HOOKS: [(&str, &str, &str); 3] = [
         "corput/halton_scrambled.glsl",
         "CORPUT_PRIME",
         "#define CORPUT_PRIME(d) (2u + (d))\n",
+    ),
+    (
+        "corput/sobol.glsl",
+        "CORPUT_SOBOL_DIRECTION",
+        "#define CORPUT_SOBOL_DIRECTION(d, b) ((d) ^ (b))\n",
     ),
     (
         "corput/envmap.glsl",

@@ -26,6 +26,8 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
         "halton_started",
         &[("u32", "n"), ("u32", "prime"), ("u32", "seed")],
     ),
+    // CORPUT_SOBOL_DIRECTION(dimension, bit) reads what the twin gets as an array.
+    ("sobol", &[("u32", "n"), ("&[u32; 32]", "directions")]),
     // CORPUT_ENVMAP_EDGE(i) reads what the twin gets as a slice.
     (
         "envmap_texel",
@@ -41,6 +43,7 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
 const IMPORTS: &[(&str, &str)] = &[
     // The header's array is generated from this table; tests/cpu/tables.rs compares.
     ("primes", "tables"),
+    ("sobol_directions", "tables"),
 ];
 
 /// Fields of a header comment, in order; others may stand between them.
