@@ -33,6 +33,7 @@ pub mod halton_scrambled;
 pub mod hammersley;
 pub mod hemisphere;
 pub mod lattice;
+pub mod lattice_vector;
 pub mod native;
 pub mod odometer;
 pub mod permute;

@@ -39,8 +39,9 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
 
 /// Modules that a twin may use besides those of its header's includes.
 const IMPORTS: &[(&str, &str)] = &[
-    // The header's array is generated from this table; tests/cpu/tables.rs compares.
+    // Each header's array is generated from a table; tests/cpu/tables.rs compares.
     ("primes", "tables"),
+    ("lattice_vector", "tables"),
 ];
 
 /// Fields of a header comment, in order; others may stand between them.
