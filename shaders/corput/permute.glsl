@@ -9,8 +9,8 @@
 // domain: i < length, 1 <= length <= 2^32; length = 2^32 is written as 0. Larger i count
 //         as length - 1.
 // range:  0 to length - 1.
-// cost:   9 instructions per element up to 16 elements; else about 100 per walk, of
-//         which there are less than 2 on average.
+// cost:   9 instructions per element up to 16 elements; else about 110 per walk,
+//         of which there are less than 2 on average.
 // hooks:  none.
 // mirror: src/reference/permute.rs
 #ifndef CORPUT_PERMUTE_GLSL
@@ -64,13 +64,13 @@ uint corput_permute(uint i, uint length, uint seed) {
     // The cycle of an element leads back to it, so the walk ends.
     bool outside = true;
     while (outside) {
-        for (uint j = 0u; j < 6u; j++) {
+        for (uint j = 0u; j < 8u; j++) {
             x = corput_permute_round(x, shift, corput_permute_mix(stream + j * 0x9e3779b9u));
         }
         outside = x > last;
     }
     // A rotation makes each position uniform, whatever the rounds do.
-    uint key = corput_permute_mix(stream + 6u * 0x9e3779b9u);
+    uint key = corput_permute_mix(stream + 8u * 0x9e3779b9u);
     uint offset = length == 0u ? key : corput_mulhi(key, length);
     uint room = last - offset;
     return x > room ? x - room - 1u : x + offset;

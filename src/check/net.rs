@@ -9,7 +9,7 @@ pub(super) fn reference(name: &str, a: [u32; 4]) -> Option<[u32; 4]> {
         "sobol" => {
             let of_bit = |bit: usize| (a[1] << 5).wrapping_add(bit as u32);
             let directions = |bit| of_bit(bit).wrapping_mul(0x9e37_79b9);
-            let x = sobol::sobol(a[0], &std::array::from_fn(directions));
+            let x = sobol::sobol(a[0], &std::array::from_fn::<u32, 32, _>(directions));
             let pair = pmj02::sobol_pair(a[0]);
             [x, sobol::gray(a[0]), pair.x, pair.y]
         }

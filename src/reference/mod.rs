@@ -34,6 +34,7 @@ pub mod hammersley;
 pub mod hash;
 pub mod hemisphere;
 pub mod lattice;
+pub mod lattice_vector;
 pub mod native;
 pub mod odometer;
 pub mod owen;

@@ -68,7 +68,7 @@ pub fn permute(i: u32, length: u32, seed: u32) -> u32 {
     // The cycle of an element leads back to it, so the walk ends.
     let mut outside = true;
     while outside {
-        for j in 0..6u32 {
+        for j in 0..8u32 {
             x = permute_round(
                 x,
                 shift,
@@ -78,7 +78,7 @@ pub fn permute(i: u32, length: u32, seed: u32) -> u32 {
         outside = x > last;
     }
     // A rotation makes each position uniform, whatever the rounds do.
-    let key = permute_mix(stream.wrapping_add(6u32.wrapping_mul(0x9e37_79b9)));
+    let key = permute_mix(stream.wrapping_add(8u32.wrapping_mul(0x9e37_79b9)));
     let offset = if length == 0 { key } else { mulhi(key, length) };
     let room = last - offset;
     if x > room { x - room - 1 } else { x + offset }

@@ -17,9 +17,12 @@ pub fn gray(n: u32) -> u32 {
 /// 2^32.
 ///
 /// The shader finds the numbers by its hook `CORPUT_SOBOL_DIRECTION(dimension, bit)`.
+///
+/// # Panics
+/// If there are fewer than 32 direction numbers.
 #[inline]
 #[must_use]
-pub fn sobol(n: u32, directions: &[u32; 32]) -> u32 {
+pub fn sobol(n: u32, directions: &[u32]) -> u32 {
     let mut x = 0;
     for bit in 0..32 {
         x ^= if (n >> bit) & 1 != 0 {

@@ -9,7 +9,7 @@ use super::is_prime;
 /// trial division: quick for n <= 2^40.
 #[must_use]
 pub fn nearly_equal_factors(n: u64, d: usize) -> Vec<u64> {
-    if n == 0 {
+    if n == 0 || d == 0 {
         return vec![0; d];
     }
     let primes = prime_factors(n);

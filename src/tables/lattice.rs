@@ -47,7 +47,7 @@ pub fn lattice_vector() -> &'static [u32] {
 ///
 /// Source: L'Ecuyer and Lemieux 2000, Variance reduction via lattice rules, Management Science
 /// 46(9). A test holds each to what they were chosen for: in the plane of the first
-/// coordinate with any of the next 23, the distance of the nearest points is at least 0.3 of
+/// coordinate with any of the next 23, the distance of the nearest points is at least 0.29 of
 /// the largest that a lattice of N points can have.
 pub const KOROBOV: &[(u32, u32)] = &[
     (1021, 76),
