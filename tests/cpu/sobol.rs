@@ -131,7 +131,7 @@ fn scrambled_pairs_keep_every_elementary_interval() {
     for seed in SEEDS {
         for m in 0..=16 {
             let points = |first: u32| -> Vec<[u32; 2]> {
-                (first..first + (1 << m))
+                (first..=first + ((1 << m) - 1))
                     .map(|n| pmj02(n, seed).into())
                     .collect()
             };
