@@ -19,6 +19,10 @@ pub enum Kind {
     Grid,
     /// A unit vector, and a word.
     Direction,
+    /// k < N, and two words.
+    Strata,
+    /// n, any base, and a seed.
+    Digits,
 }
 
 /// A row of the catalogue.
@@ -89,6 +93,13 @@ const fn frame(name: &'static str, id: u32, bound: f64) -> Function {
     }
 }
 
+const fn strata(name: &'static str, header: &'static str, id: u32, kind: Kind) -> Function {
+    Function {
+        kernel: "evaluate_strata",
+        ..integer(name, header, id, kind)
+    }
+}
+
 /// Every function of the exact profile.
 ///
 /// Bounds of inverses are against the exact inverse of the given floats: the concentric
@@ -153,6 +164,40 @@ pub const FUNCTIONS: &[Function] = &[
         4.0,
         "2^-32",
     ),
+    strata("permute", "permute", 0, Kind::Strata),
+    strata("stratum", "stratified", 1, Kind::Strata),
+    strata("unit_stratum", "stratified", 2, Kind::Strata),
+    strata("stratified", "stratified", 3, Kind::Strata),
+    strata("latin_hypercube", "stratified", 4, Kind::Strata),
+    strata("cmj", "stratified", 5, Kind::Words),
+    strata(
+        "radical_inverse_faure",
+        "scrambled_radical_inverse",
+        6,
+        Kind::Digits,
+    ),
+    strata(
+        "radical_inverse_permuted",
+        "scrambled_radical_inverse",
+        7,
+        Kind::Digits,
+    ),
+    strata(
+        "radical_inverse_owen",
+        "scrambled_radical_inverse",
+        8,
+        Kind::Digits,
+    ),
+    strata(
+        "radical_inverse_started",
+        "scrambled_radical_inverse",
+        9,
+        Kind::Digits,
+    ),
+    strata("halton_scrambled", "halton_scrambled", 10, Kind::Digits),
+    strata("lattice", "lattice", 11, Kind::Words),
+    strata("korobov", "lattice", 12, Kind::Strata),
+    strata("additive", "lattice", 13, Kind::Words),
     frame("frame_tangent", 0, 4.0),
     frame("frame_bitangent", 1, 4.0),
     frame("frame_to_world", 2, 4.0),

@@ -11,6 +11,7 @@ mod native;
 mod native_points;
 mod points;
 mod rows;
+mod strata;
 
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};

@@ -141,12 +141,13 @@ const fn directions(
 
 const fn evaluate(
     name: &'static str,
+    source: &'static str,
     defines: &'static [(&'static str, &'static str)],
     profile: Profile,
 ) -> Kernel {
     Kernel {
         name,
-        source: "evaluate.comp",
+        source,
         defines,
         local_size: 64,
         push: WORK,
@@ -244,17 +245,36 @@ pub const KERNELS: &[Kernel] = &[
         constants: &[],
         profile: Profile::Integer,
     },
-    evaluate("evaluate", &[], Profile::Integer),
+    evaluate("evaluate", "evaluate.comp", &[], Profile::Integer),
     evaluate(
         "evaluate_portable",
+        "evaluate.comp",
         &[("CORPUT_PORTABLE", "1")],
         Profile::Integer,
     ),
-    evaluate("evaluate_frame", &[("KERNEL_FRAME", "1")], Profile::Float),
+    evaluate(
+        "evaluate_frame",
+        "evaluate.comp",
+        &[("KERNEL_FRAME", "1")],
+        Profile::Float,
+    ),
     evaluate(
         "evaluate_native",
+        "evaluate.comp",
         &[("KERNEL_NATIVE", "1")],
         Profile::Native,
+    ),
+    evaluate(
+        "evaluate_strata",
+        "evaluate_strata.comp",
+        &[],
+        Profile::Integer,
+    ),
+    evaluate(
+        "evaluate_strata_portable",
+        "evaluate_strata.comp",
+        &[("CORPUT_PORTABLE", "1")],
+        Profile::Integer,
     ),
     Kernel {
         name: "probe",
