@@ -5,6 +5,7 @@
 //! judge finds it within what Vulkan's precision tables allow.
 
 mod cases;
+mod domain;
 mod functions;
 mod inputs;
 mod irradiance;
@@ -14,6 +15,7 @@ mod net;
 mod points;
 mod random;
 mod rows;
+mod strata;
 
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};

@@ -24,6 +24,10 @@
 
 pub mod bits;
 pub mod disk;
+pub mod domain;
+pub mod domain_draw;
+pub mod domain_halton;
+pub mod domain_sobol;
 pub mod elementary;
 pub mod envmap;
 pub mod fixed;
