@@ -2,8 +2,13 @@
 
 use crate::Result;
 mod irradiance;
+mod pairs;
 
 pub use irradiance::{RadianceMap, irradiance_sum, row_edges, sum_scale};
+pub use pairs::{
+    Columns, MAX_PAIR_DIMENSIONS, NearestWords, l2_from_sum, nearest_words, pair_kind_of,
+    pair_scale, pair_sum,
+};
 
 use crate::catalog::{Engine, Map, Output, Profile, Request};
 use crate::interface::{Column, map};

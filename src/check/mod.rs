@@ -9,12 +9,14 @@ mod inputs;
 mod irradiance;
 mod native;
 mod native_points;
+mod pairs;
 mod points;
 mod rows;
 
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};
 pub use native::{NATIVE, NativeRow, compare_native};
+pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
 pub use rows::{Row, Verdict};
 
@@ -108,6 +110,12 @@ pub fn run(
     }
     if wanted(&["irradiance", "envmap_texel", "envmap"]) {
         add(irradiance::check(device)?);
+    }
+    if wanted(&["pairs", "discrepancy"]) {
+        add(pairs::check_sums(device)?);
+    }
+    if wanted(&["nearest", "distance"]) {
+        add(pairs::check_nearest(device)?);
     }
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {

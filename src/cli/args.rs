@@ -123,6 +123,10 @@ pub struct MeasureArgs {
     /// Also what takes long.
     #[arg(long)]
     pub all: bool,
+    /// Device for sums and searches over pairs of points, by index or part of its name
+    /// [default: the CPU].
+    #[arg(long)]
+    pub device: Option<String>,
     /// Print one JSON document.
     #[arg(long)]
     pub json: bool,
@@ -131,7 +135,8 @@ pub struct MeasureArgs {
 const CONVENTIONS: &str = "Conventions: l2-star is a square root; centred, wrap-around, \
 mixture and modified-l2 are squares, as SciPy has them (whose MD is mixture, not modified). \
 star is a supremum: exact for one and two dimensions, otherwise between two bounds. Of \
-projections the worst is that of the largest centred discrepancy. The spectrum is 1 for white \
+projections the worst is that of the largest centred discrepancy. A device sums products in \
+fixed point; by how much any square may be off is in the JSON. The spectrum is 1 for white \
 noise, its anisotropy 0 dB.";
 
 #[derive(Debug, Args)]

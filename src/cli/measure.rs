@@ -1,13 +1,15 @@
 //! `corput measure`.
 
+mod device;
 mod figures;
 mod names;
 
 use super::args::MeasureArgs;
-use super::{print, progress};
+use super::{host, print, progress};
 use comfy_table::{ContentArrangement, Table, presets};
 use corput::report::read_points;
 use corput::{Error, Result};
+use device::OnDevice;
 use figures::Job;
 use names::Measure;
 use serde_json::{Map, Value, json};
@@ -36,9 +38,17 @@ impl Outcome {
 pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     let measures = names::chosen(args.only.as_deref())?;
     let points = read_points(&args.file)?;
+    let bases = bases(args, points.columns())?;
+    let pair = pair(args, points.columns())?;
+    let asked = host::asked(args.device.as_deref());
+    let device = match asked.is_none() || host::is_cpu(asked.as_deref()) {
+        true => None,
+        false => Some(OnDevice::new(host::open(args.device.as_deref())?, &points)?),
+    };
     let job = Job {
-        bases: bases(args, points.columns())?,
-        pair: pair(args, points.columns())?,
+        bases,
+        pair,
+        device: device.as_ref(),
         all: args.all,
         points: &points,
     };
@@ -53,10 +63,11 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
         outcomes.push((measure, job.measure(measure, &mut seen)?));
     }
     bar.finish_and_clear();
+    let line = device.as_ref().map(OnDevice::line);
     if args.json {
         let list: Map<String, Value> = outcomes
-            .into_iter()
-            .map(|(measure, outcome)| (measure.key().to_owned(), outcome.json))
+            .iter()
+            .map(|(measure, outcome)| (measure.key().to_owned(), outcome.json.clone()))
             .collect();
         let document = json!({
             "version": env!("CARGO_PKG_VERSION"),
@@ -64,20 +75,25 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
             "points": points.rows(),
             "dimensions": points.columns(),
             "source": points.source().name(),
+            "device": line,
             "measures": list,
         });
         print(&serde_json::to_string_pretty(&document)?);
-        return Ok(());
+    } else {
+        let on = line.map_or(String::new(), |line| format!("; pairs by {line}"));
+        print(&format!(
+            "{}: {} x {} ({}){on}",
+            args.file.display(),
+            points.rows(),
+            points.columns(),
+            points.source().name()
+        ));
+        print(&table(&outcomes).to_string());
     }
-    print(&format!(
-        "{}: {} x {} ({})",
-        args.file.display(),
-        points.rows(),
-        points.columns(),
-        points.source().name()
-    ));
-    print(&table(&outcomes).to_string());
-    Ok(())
+    match device {
+        Some(device) => Ok(device.validated()?),
+        None => Ok(()),
+    }
 }
 
 fn table(outcomes: &[(Measure, Outcome)]) -> Table {

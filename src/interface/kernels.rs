@@ -1,8 +1,8 @@
 //! The list of stock kernels.
 
 use super::{
-    Binding, Constant, Element, IrradiancePush, Kernel, Member, Profile, PushConstants, WorkPush,
-    map, output,
+    Binding, Constant, Element, IrradiancePush, Kernel, Member, PairsPush, Profile, PushConstants,
+    WorkPush, map, output, pair_kind,
 };
 
 macro_rules! columns {
@@ -75,6 +75,19 @@ const PART: Constant = Constant {
     default: 0,
 };
 
+/// Which discrepancy.
+const KIND: Constant = Constant {
+    id: 9,
+    name: "KIND",
+    default: pair_kind::CENTRED,
+};
+/// Whether distances are on the torus.
+const TOROIDAL: Constant = Constant {
+    id: 10,
+    name: "TOROIDAL",
+    default: 1,
+};
+
 const RESULTS: Binding = Binding {
     binding: 0,
     name: "results",
@@ -136,6 +149,27 @@ const fn directions(
         bindings,
         constants,
         profile,
+    }
+}
+
+const fn pairs(name: &'static str, source: &'static str, constants: &'static [Constant]) -> Kernel {
+    Kernel {
+        name,
+        source,
+        defines: &[],
+        local_size: 64,
+        push: PairsPush::MEMBERS,
+        bindings: &[
+            RESULTS,
+            Binding {
+                binding: 1,
+                name: "words",
+                element: Element::Uint,
+                input: true,
+            },
+        ],
+        constants,
+        profile: Profile::Integer,
     }
 }
 
@@ -244,6 +278,8 @@ pub const KERNELS: &[Kernel] = &[
         constants: &[],
         profile: Profile::Integer,
     },
+    pairs("pairs", "pairs.comp", &[KIND]),
+    pairs("nearest", "nearest.comp", &[TOROIDAL]),
     evaluate("evaluate", &[], Profile::Integer),
     evaluate(
         "evaluate_portable",

@@ -23,7 +23,9 @@
 )]
 
 pub mod bits;
+pub mod discrepancy;
 pub mod disk;
+pub mod distance;
 pub mod elementary;
 pub mod envmap;
 pub mod fixed;

@@ -6,8 +6,8 @@ mod facts;
 mod source;
 
 use corput::interface::{
-    COLUMN_WORDS, Element, IrradiancePush, KERNELS, PushConstants, WorkPush, column_kind, map,
-    output,
+    COLUMN_WORDS, Element, IrradiancePush, KERNELS, PairsPush, PushConstants, WorkPush,
+    column_kind, map, output,
 };
 use corput::kernels::spirv;
 use facts::{constants, promised, reflected};
@@ -137,6 +137,7 @@ fn structs_have_the_size_of_their_blocks() {
     }
     check::<WorkPush>(&WorkPush::default().bytes());
     check::<IrradiancePush>(&IrradiancePush::default().bytes());
+    check::<PairsPush>(&PairsPush::default().bytes());
     let push = WorkPush {
         first: 1,
         invocations: 2,
@@ -157,6 +158,7 @@ fn shaders_repeat_the_right_numbers() {
     assert_eq!(numbers(&text("column.glsl")), table("column_kind"));
     assert_eq!(numbers(&text("map.glsl")), table("map"));
     assert_eq!(numbers(&text("generate.comp")), words);
+    assert_eq!(numbers(&text("pairs.comp")), table("pair_kind"));
     // The reader of src/interface/mod.rs reads what the compiler reads.
     assert!(table("column_kind").contains(&("RADICAL".to_owned(), column_kind::RADICAL)));
     assert!(table("map").contains(&(
@@ -165,7 +167,8 @@ fn shaders_repeat_the_right_numbers() {
     )));
     // No other shader has numbers of its own at file level.
     for name in files("shaders/kernels", &[".comp", ".glsl"]) {
-        let known = ["column.glsl", "map.glsl", "generate.comp"].contains(&name.as_str());
+        let known =
+            ["column.glsl", "map.glsl", "generate.comp", "pairs.comp"].contains(&name.as_str());
         assert!(known || numbers(&text(&name)).is_empty(), "{name}");
     }
     let fractions = format!("if (kind_of_output == {}u)", output::FRACTIONS);

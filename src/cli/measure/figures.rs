@@ -1,6 +1,7 @@
 //! Each measure: whether it is worth its time, its figures, and how they read.
 
 use super::Outcome;
+use super::device::OnDevice;
 use super::names::Measure;
 use corput::Result;
 use corput::stats::{
@@ -16,11 +17,15 @@ const LIMIT: u64 = 1 << 34;
 /// shape that a t-value may take, without `--all` and with it.
 const WORK: [u64; 2] = [1 << 28, 1 << 33];
 
+/// Up to so many dimensions the nearest pair takes linear time.
+const GRID_DIMENSIONS: usize = 3;
+
 /// What to measure, and how.
 pub struct Job<'a> {
     pub points: &'a Points,
     pub bases: Vec<u32>,
     pub pair: Option<[usize; 2]>,
+    pub device: Option<&'a OnDevice>,
     pub all: bool,
 }
 
@@ -36,18 +41,24 @@ impl Job<'_> {
             Measure::Star if columns == 2 => (square, "N^2"),
             Measure::L2(_) => (square.saturating_mul(columns) / 2, "N^2 d / 2"),
             Measure::Projections => (square.saturating_mul(pairs), "N^2 d (d - 1) / 2"),
-            // Up to three dimensions a grid makes it linear.
-            Measure::Distance if columns > 3 => (square.saturating_mul(columns) / 8, "N^2 d / 8"),
+            Measure::Distance if self.points.columns() > GRID_DIMENSIONS => {
+                (square.saturating_mul(columns) / 8, "N^2 d / 8")
+            }
             Measure::Spectrum => {
                 let range = spectrum_range(self.points.rows()) as u64;
                 (4 * rows * range * range, "4 N R^2")
             }
             _ => (0, ""),
         };
-        if steps > LIMIT && !self.all {
+        let on_device = matches!(measure, Measure::L2(_) | Measure::Distance);
+        let limit = match self.device {
+            Some(device) if on_device => device.speed() * LIMIT,
+            _ => LIMIT,
+        };
+        if steps > limit && !self.all {
             return Ok(Outcome::skipped(format!(
                 "{what} = {:.1e} steps are more than {:.1e}; use --all",
-                steps as f64, LIMIT as f64
+                steps as f64, limit as f64
             )));
         }
         match measure {
@@ -95,7 +106,10 @@ impl Job<'_> {
     }
 
     fn l2(&self, kind: L2, progress: Progress) -> Result<Outcome> {
-        let found = l2_discrepancy(self.points, kind, progress)?;
+        let found = match self.device {
+            Some(device) => device.l2(kind, progress)?,
+            None => l2_discrepancy(self.points, kind, progress)?,
+        };
         Ok(Outcome {
             value: figure(found.value),
             note: kind.convention().into(),
@@ -104,6 +118,7 @@ impl Job<'_> {
                 "value": found.value,
                 "square": found.square,
                 "square_error_at_most": found.square_error,
+                "points_are": points_are(self.device),
             }),
         })
     }
@@ -180,8 +195,15 @@ impl Job<'_> {
     }
 
     fn distance(&self, progress: Progress) -> Result<Outcome> {
-        let torus = nearest(self.points, true, progress)?;
-        let cube = nearest(self.points, false, progress)?;
+        // In few dimensions a grid on the CPU beats all pairs on a device.
+        let device = self
+            .device
+            .filter(|_| self.points.columns() > GRID_DIMENSIONS);
+        let mut search = |toroidal| match device {
+            Some(device) => device.nearest(toroidal, progress),
+            None => nearest(self.points, toroidal, progress),
+        };
+        let (torus, cube) = (search(true)?, search(false)?);
         let (Some(torus), Some(cube)) = (torus, cube) else {
             return Ok(Outcome::skipped("one point has no neighbour".into()));
         };
@@ -202,6 +224,7 @@ impl Job<'_> {
                     "value": torus.distance, "rows": torus.rows, "ratio_to_hexagonal": ratio,
                 },
                 "cube": {"value": cube.distance, "rows": cube.rows},
+                "points_are": points_are(device),
             }),
         })
     }
@@ -293,6 +316,14 @@ impl Job<'_> {
 
     fn work(&self) -> u64 {
         WORK[usize::from(self.all)]
+    }
+}
+
+/// Whether a device, if one was used, has rounded the points.
+fn points_are(device: Option<&OnDevice>) -> &'static str {
+    match device {
+        Some(device) if !device.is_exact() => "rounded down to multiples of 2^-32",
+        _ => "as in the file",
     }
 }
 

@@ -195,7 +195,7 @@ fn what_cannot_be_counted_is_refused() {
         assert!(elementary_intervals(&points, bases, false, u64::MAX, &mut unseen).is_err());
     }
     let wide = Random(1).points(1 << 10, 30);
-    let error = elementary_intervals(&wide, &[2; 30], true, &mut unseen).unwrap_err();
+    let error = elementary_intervals(&wide, &[2; 30], true, u64::MAX, &mut unseen).unwrap_err();
     assert!(
         error.to_string().contains(&MAX_SHAPES.to_string()),
         "{error}"
