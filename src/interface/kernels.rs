@@ -1,8 +1,8 @@
 //! The list of stock kernels.
 
 use super::{
-    Binding, Constant, Element, FAMILIES, Family, IrradiancePush, Kernel, Member, Profile,
-    PushConstants, WorkPush, map, output,
+    Binding, Constant, Element, FAMILIES, Family, IrradiancePush, Kernel, Member, PairsPush,
+    Profile, PushConstants, WorkPush, map, output, pair_kind,
 };
 
 const OUTPUT: Constant = Constant {
@@ -52,6 +52,19 @@ const PART: Constant = Constant {
     id: 8,
     name: "PART",
     default: 0,
+};
+
+/// Which discrepancy.
+const KIND: Constant = Constant {
+    id: 9,
+    name: "KIND",
+    default: pair_kind::CENTRED,
+};
+/// Whether distances are on the torus.
+const TOROIDAL: Constant = Constant {
+    id: 10,
+    name: "TOROIDAL",
+    default: 1,
 };
 
 const RESULTS: Binding = Binding {
@@ -204,6 +217,28 @@ const fn evaluate(
     }
 }
 
+const fn pairs(name: &'static str, source: &'static str, constants: &'static [Constant]) -> Kernel {
+    Kernel {
+        name,
+        source,
+        defines: &[],
+        local_size: 64,
+        push: PairsPush::MEMBERS,
+        bindings: &[
+            RESULTS,
+            Binding {
+                binding: 1,
+                name: "words",
+                element: Element::Uint,
+                input: true,
+            },
+        ],
+        constants,
+        columns: None,
+        profile: Profile::Integer,
+    }
+}
+
 /// The other kernels.
 const OTHERS: &[Kernel] = &[
     map_kernel("map", &[], Profile::Integer),
@@ -233,6 +268,8 @@ const OTHERS: &[Kernel] = &[
         columns: None,
         profile: Profile::Integer,
     },
+    pairs("pairs", "pairs.comp", &[KIND]),
+    pairs("nearest", "nearest.comp", &[TOROIDAL]),
     Kernel {
         name: "probe",
         source: "probe.comp",

@@ -23,7 +23,9 @@
 )]
 
 pub mod bits;
+pub mod discrepancy;
 pub mod disk;
+pub mod distance;
 pub mod domain;
 pub mod domain_draw;
 pub mod domain_halton;

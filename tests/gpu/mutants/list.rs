@@ -3,7 +3,7 @@
 use corput::catalog::{Map, Options, Sequence};
 
 use super::harness::Edit;
-use super::harness::Target::{self, Function, Generate, Native, Portable, Tile};
+use super::harness::Target::{self, Function, Generate, Native, Nearest, Pairs, Portable, Tile};
 
 /// What must kill a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -294,6 +294,29 @@ pub const MUTANTS: &[Mutant] = &[
     // Kernels.
     mutant("the second half of a tile's store repeats the first", Mismatch, Tile(floats),
         "kernels/generate_tile.comp", "results[at + 1u] = uvec4(p[2].xy, p[3].xy);", "results[at + 1u] = uvec4(p[0].xy, p[1].xy);"),
+    // Pairs of points.
+    mutant("the lesser coordinate in L2-star", Mismatch, Pairs,
+        "corput/discrepancy.glsl", "corput_scale64(p, max(x, y))", "corput_scale64(p, min(x, y))"),
+    mutant("the centred kernel on the wrong side", Mismatch, Pairs,
+        "corput/discrepancy.glsl", ">> 31) == 0u ? nearer", ">> 31) != 0u ? nearer"),
+    mutant("3/2 for 5/4 in the wrap-around kernel", Mismatch, Pairs,
+        "corput/discrepancy.glsl", "corput_add64(p, corput_shr64(p, 2u))", "corput_add64(p, corput_shr64(p, 1u))"),
+    mutant("the mixture kernel without its square", Mismatch, Pairs,
+        "corput/discrepancy.glsl", "corput_add64(corput_sub64(more, less), corput_shr64(twice, 1u))", "corput_sub64(more, less)"),
+    mutant("the low word of a product is lost", Mismatch, Pairs,
+        "corput/discrepancy.glsl", "uvec2(corput_mulhi(p.x, f), 0u)", "uvec2(0u)"),
+    mutant("a sum of products overflows", Mismatch, Pairs,
+        "kernels/pairs.comp", "high = corput_add64(high, uvec2(p.y, 0u));", "high.x += p.y;"),
+    mutant("pairs twice in several blocks", Mismatch, Pairs,
+        "kernels/pairs.comp", "other < push.end_other", "other < push.count"),
+    mutant("a point is its own neighbour", Mismatch, Nearest,
+        "kernels/nearest.comp", "max(push.first_other, row + 1u)", "max(push.first_other, row)"),
+    mutant("a torus with one way around", Mismatch, Nearest,
+        "corput/distance.glsl", "min(x - y, y - x)", "x - y"),
+    mutant("a carry lost between squares", Mismatch, Nearest,
+        "corput/distance.glsl", "corput_addc(middle.x, low.y)", "uvec2(middle.x, 0u)"),
+    mutant("squares compared by their high words", Mismatch, Nearest,
+        "corput/distance.glsl", "    return a.x < b.x;", "    return false;"),
     // The native profile, which has no reference.
     mutant("sine and cosine swapped", Judge, Native("native_polar_disk"),
         "corput/native/disk.glsl", "radius * cos(phi), radius * sin(phi)", "radius * sin(phi), radius * cos(phi)"),
