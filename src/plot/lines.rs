@@ -2,7 +2,8 @@
 
 use crate::error::Result;
 use crate::plot::refuse;
-use crate::plot::svg::{Anchor, Canvas, FAINT, INK, QUIET, text_width};
+use crate::plot::svg::{Anchor, Canvas, FAINT, INK, QUIET};
+use crate::plot::text;
 
 /// A named line.
 #[derive(Clone, Debug)]
@@ -98,7 +99,7 @@ pub fn error_lines(series: &[Series], style: &LinesStyle<'_>) -> Result<String> 
         .map(|(name, _)| *name)
         .chain(style.slopes.iter().map(|s| s.0));
     let label_width = names
-        .map(|name| text_width(name, LABEL_SIZE))
+        .map(|name| text::width(name, LABEL_SIZE))
         .fold(0.0, f64::max);
 
     let mut canvas = Canvas::new(

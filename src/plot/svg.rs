@@ -134,24 +134,29 @@ impl Canvas {
     /// length with round ends, which is a quarter of the bytes of circles.
     pub fn dots(&mut self, dots: impl Iterator<Item = (f64, f64, f64)>, diameter: f64) {
         const SHADES: usize = 24;
-        let mut paths = vec![String::new(); SHADES];
+        let mut shades = vec![Vec::new(); SHADES];
         for (x, y, shade) in dots {
             let index = ((shade * SHADES as f64) as usize).min(SHADES - 1);
-            let _ = write!(paths[index], "M{x:.2} {y:.2}h0");
+            shades[index].push((x, y));
         }
-        let _ = writeln!(
-            self.body,
-            r#"<g fill="none" stroke-linecap="round" stroke-width="{diameter:.2}">"#
-        );
-        for (index, path) in paths
-            .iter()
-            .enumerate()
-            .filter(|(_, path)| !path.is_empty())
-        {
+        for (index, dots) in shades.iter().enumerate() {
             let colour = ramp((index as f64 + 0.5) / SHADES as f64);
-            let _ = writeln!(self.body, r#"<path d="{path}" stroke="{colour}"/>"#);
+            self.dots_of(dots.iter().copied(), diameter, &colour);
         }
-        self.body.push_str("</g>\n");
+    }
+
+    /// Dots of one colour.
+    pub fn dots_of(&mut self, dots: impl Iterator<Item = (f64, f64)>, diameter: f64, colour: &str) {
+        let mut path = String::new();
+        for (x, y) in dots {
+            let _ = write!(path, "M{x:.2} {y:.2}h0");
+        }
+        if !path.is_empty() {
+            let _ = writeln!(
+                self.body,
+                r#"<path d="{path}" fill="none" stroke="{colour}" stroke-width="{diameter:.2}" stroke-linecap="round"/>"#
+            );
+        }
     }
 
     pub fn finish(self) -> String {
@@ -166,11 +171,6 @@ impl Canvas {
              <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n"
         )
     }
-}
-
-/// About the width of a text in DejaVu Sans.
-pub fn text_width(text: &str, size: f64) -> f64 {
-    0.62 * size * text.chars().count() as f64
 }
 
 /// Dark blue to orange, of rising lightness.
@@ -190,7 +190,7 @@ fn ramp(shade: f64) -> String {
 }
 
 /// Text for XML, without the characters that XML cannot hold.
-fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
         match character {
