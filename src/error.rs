@@ -139,6 +139,16 @@ pub enum Error {
         /// What to do.
         remedy: String,
     },
+    /// A file of points that cannot be read or used.
+    #[error("cannot use points {}: {problem}; {remedy}", path.display())]
+    Points {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
     /// No Vulkan device at all.
     #[error("no Vulkan device was found ({reason}); {INSTALL_HINT}")]
     NoDevice {
@@ -268,6 +278,7 @@ impl Error {
             | Self::UnknownName { .. }
             | Self::Output { .. }
             | Self::Image { .. }
+            | Self::Points { .. }
             | Self::UnknownDevice { .. } => 2,
             Self::NoDevice { .. } | Self::InadequateDevice { .. } => 3,
             Self::Vulkan { .. }

@@ -50,6 +50,7 @@ pub mod plot;
 pub mod reference;
 pub mod report;
 pub mod spirv;
+pub mod stats;
 pub mod tables;
 pub mod variant;
 #[cfg(feature = "gpu")]

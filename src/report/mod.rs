@@ -1,5 +1,5 @@
 //! Results to bytes: `.npy`, raw with a JSON sidecar, and CSV, into a file or
-//! standard output.
+//! standard output; and `.npy` files back to points.
 //!
 //! A [`Sink`] takes rows of 32-bit words in chunks of any size. A file is
 //! written beside its final name and renamed at the end, so a run that dies
@@ -23,11 +23,13 @@
 mod encode;
 mod format;
 mod place;
+mod read;
 mod sink;
 
 pub use encode::{NPY_DATA_OFFSET, npy_header};
 pub use format::Format;
 pub use place::Target;
+pub use read::{MAX_VALUES, read_points};
 pub use sink::{Sink, Summary};
 
 use crate::error::{Error, Result};
