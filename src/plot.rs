@@ -12,15 +12,23 @@
 
 mod gallery;
 mod lines;
+mod numbers;
+mod pairs;
 mod png;
+mod power;
 mod scatter;
+mod sheet;
+mod square;
 mod svg;
 mod text;
 
 pub use gallery::{GalleryStyle, Panel, Points, gallery};
 pub use lines::{LinesStyle, Series, error_lines};
+pub use numbers::grouped;
+pub use pairs::{MAX_DIMENSIONS, pairs_points};
 pub use png::to_png;
 pub use scatter::{ScatterStyle, points_and_directions, scatter, scatter_directions};
+pub use sheet::{SheetStyle, Stack, View, sheet};
 
 use crate::error::{Error, Result};
 

@@ -1,7 +1,8 @@
 //! Point sets side by side, small and alike, so that only the points differ.
 
 use crate::error::Result;
-use crate::plot::svg::{Anchor, Canvas, FAINT, INK, QUIET};
+use crate::plot::square::{Square, dot_diameter};
+use crate::plot::svg::{Anchor, BLUE, Canvas, FAINT, INK, QUIET, VERMILION};
 use crate::plot::{check_count, check_points, check_values, refuse, text};
 
 /// What a panel shows.
@@ -52,9 +53,9 @@ const GAP: f64 = 22.0;
 const TITLE: f64 = 14.0;
 const CAPTION: f64 = 11.0;
 const CAPTION_STEP: f64 = 14.5;
-/// The first quarter of each set, and the rest: blue and vermilion of Okabe and Ito.
-const FIRST: &str = "#d55e00";
-const REST: &str = "#0072b2";
+/// The first quarter of each set, and the rest.
+const FIRST: &str = VERMILION;
+const REST: &str = BLUE;
 
 /// Panels in rows of [`GalleryStyle::columns`], as SVG. The first quarter of each set is
 /// orange: of a sequence it is as even as the whole, of a set it need not be.
@@ -137,16 +138,16 @@ fn check(panels: &[Panel<'_>], style: &GalleryStyle<'_>) -> Result<()> {
 }
 
 fn square(canvas: &mut Canvas, left: f64, top: f64, side: f64, points: &[[f32; 2]]) {
-    let diameter = 0.3 * side / (points.len().max(1) as f64).sqrt();
+    let square = Square::new(left, top, side);
     let (first, rest) = points.split_at(points.len().div_ceil(4));
-    for (points, colour) in [(rest, REST), (first, FIRST)] {
-        let dots = points.iter().map(|p| {
+    for (part, colour) in [(rest, REST), (first, FIRST)] {
+        let dots = part.iter().map(|p| {
             let [u, v] = p.map(f64::from);
-            (left + side * u, top + side * (1.0 - v))
+            (square.x(u), square.y(v))
         });
-        canvas.dots_of(dots, diameter.clamp(0.6, 8.0), colour);
+        canvas.dots_of(dots, dot_diameter(side, points.len()), colour);
     }
-    canvas.frame(left, top, side, INK, 1.0);
+    square.outline(canvas, INK, 1.0);
 }
 
 /// The first 1, 2, 4, ... values as ticks on a line each.
@@ -174,5 +175,5 @@ fn prefixes(canvas: &mut Canvas, left: f64, top: f64, side: f64, values: &[f32])
             canvas.line((x, middle - half), (x, middle + half), colour, 1.3);
         }
     }
-    canvas.frame(left, top, side, INK, 1.0);
+    canvas.frame(left, top, [side; 2], INK, 1.0);
 }

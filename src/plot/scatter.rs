@@ -1,6 +1,7 @@
 //! Points in the square, and directions of the hemisphere seen from above.
 
 use crate::error::Result;
+use crate::plot::square::{QUARTERS, Square, check_cells, dot_diameter};
 use crate::plot::svg::{Anchor, Canvas, FAINT, INK, QUIET};
 use crate::plot::{check_count, check_points, refuse};
 
@@ -52,22 +53,13 @@ impl<'a> ScatterStyle<'a> {
                 "choose a size in that range",
             );
         }
-        match self.cells {
-            Some([columns, rows]) if columns > 1024 || rows > 1024 => refuse(
-                format!("a grid of {columns} x {rows} cells"),
-                "at most 1024 x 1024 can be told apart",
-                "choose fewer cells",
-            ),
-            _ => Ok(()),
-        }
+        check_cells(self.cells)
     }
 
     fn dot_for(&self, count: usize) -> f64 {
-        let spacing = self.size / (count.max(1) as f64).sqrt();
         self.dot
             .filter(|dot| dot.is_finite())
-            .unwrap_or(0.3 * spacing)
-            .clamp(0.6, 8.0)
+            .map_or(dot_diameter(self.size, count), |dot| dot.clamp(0.6, 8.0))
     }
 }
 
@@ -75,7 +67,7 @@ impl<'a> ScatterStyle<'a> {
 ///
 /// # Errors
 ///
-/// [`Error::Arguments`] for more than [`MAX_POINTS`] points, one outside [0, 1]^2, or a
+/// [`Error::Arguments`](crate::Error::Arguments) for more than [`MAX_POINTS`](crate::plot::MAX_POINTS) points, one outside [0, 1]^2, or a
 /// style out of its range.
 pub fn scatter(points: &[[f32; 2]], style: &ScatterStyle<'_>) -> Result<String> {
     check_points(points)?;
@@ -89,7 +81,7 @@ pub fn scatter(points: &[[f32; 2]], style: &ScatterStyle<'_>) -> Result<String> 
 ///
 /// # Errors
 ///
-/// [`Error::Arguments`] for more than [`MAX_POINTS`] directions, one that is not of unit
+/// [`Error::Arguments`](crate::Error::Arguments) for more than [`MAX_POINTS`](crate::plot::MAX_POINTS) directions, one that is not of unit
 /// length, or a style out of its range.
 pub fn scatter_directions(directions: &[[f32; 3]], style: &ScatterStyle<'_>) -> Result<String> {
     check_directions(directions)?;
@@ -104,7 +96,7 @@ pub fn scatter_directions(directions: &[[f32; 3]], style: &ScatterStyle<'_>) -> 
 ///
 /// # Errors
 ///
-/// As [`scatter`] and [`scatter_directions`], and [`Error::Arguments`] if there are not as many
+/// As [`scatter`] and [`scatter_directions`], and [`Error::Arguments`](crate::Error::Arguments) if there are not as many
 /// directions as points.
 pub fn points_and_directions(
     points: &[[f32; 2]],
@@ -186,44 +178,17 @@ impl<'a> Figure<'a> {
 
     fn square(&mut self, index: u32, points: &[[f32; 2]], title: &str) {
         let (left, top) = self.panel(index, title);
-        let size = self.style.size;
-        let (right, bottom) = (left + size, top + size);
-        let x = |u: f64| left + size * u;
-        let y = |v: f64| bottom - size * v;
+        let square = Square::new(left, top, self.style.size);
         let canvas = &mut self.canvas;
-        if let Some([columns, rows]) = self.style.cells {
-            for (count, across) in [(columns, true), (rows, false)] {
-                for line in (1..count).map(|i| f64::from(i) / f64::from(count)) {
-                    let (a, b) = if across {
-                        ((x(line), top), (x(line), bottom))
-                    } else {
-                        ((left, y(line)), (right, y(line)))
-                    };
-                    canvas.line(a, b, FAINT, 0.8);
-                }
-            }
-        }
+        square.grid(canvas, self.style.cells);
         let dots = points.iter().map(|p| {
             let [u, v] = p.map(f64::from);
-            (x(u), y(v), u)
+            (square.x(u), square.y(v), u)
         });
         canvas.dots(dots, self.style.dot_for(points.len()));
-        canvas.frame(left, top, size, INK, 1.2);
-        for (at, label) in [(0.0, "0"), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1.0, "1")] {
-            canvas.line((x(at), bottom), (x(at), bottom + 4.0), INK, 1.0);
-            canvas.text(x(at), bottom + 18.0, Anchor::Middle, 12.0, INK, label);
-            canvas.line((left - 4.0, y(at)), (left, y(at)), INK, 1.0);
-            canvas.text(left - 9.0, y(at) + 4.3, Anchor::End, 12.0, INK, label);
-        }
-        canvas.text(
-            x(0.5),
-            bottom + 40.0,
-            Anchor::Middle,
-            13.0,
-            INK,
-            self.style.x_label,
-        );
-        canvas.upright(left - 36.0, y(0.5), 13.0, self.style.y_label);
+        square.outline(canvas, INK, 1.2);
+        square.x_axis(canvas, QUARTERS, self.style.x_label);
+        square.y_axis(canvas, QUARTERS, self.style.y_label);
     }
 
     fn disk(
@@ -237,7 +202,7 @@ impl<'a> Figure<'a> {
         let radius = self.style.size / 2.0;
         let (cx, cy) = (left + radius, top + radius);
         let canvas = &mut self.canvas;
-        canvas.frame(left, top, 2.0 * radius, FAINT, 0.8);
+        canvas.frame(left, top, [2.0 * radius; 2], FAINT, 0.8);
         canvas.line((cx - radius, cy), (cx + radius, cy), FAINT, 0.8);
         canvas.line((cx, cy - radius), (cx, cy + radius), FAINT, 0.8);
         // Rings of polar angle 30 and 60 degrees; the rim is the horizon.
@@ -263,16 +228,10 @@ impl<'a> Figure<'a> {
                 rings,
             );
         }
-        for (at, label) in [(-1.0, "−1"), (0.0, "0"), (1.0, "1")] {
-            let x = cx + radius * at;
-            canvas.line((x, bottom), (x, bottom + 4.0), INK, 1.0);
-            canvas.text(x, bottom + 18.0, Anchor::Middle, 12.0, INK, label);
-            let y = cy - radius * at;
-            canvas.line((left - 4.0, y), (left, y), INK, 1.0);
-            canvas.text(left - 9.0, y + 4.3, Anchor::End, 12.0, INK, label);
-        }
-        canvas.text(cx, bottom + 40.0, Anchor::Middle, 13.0, INK, "x");
-        canvas.upright(left - 36.0, cy, 13.0, "y");
+        let square = Square::new(left, top, 2.0 * radius);
+        let ticks = [(0.0, "−1"), (0.5, "0"), (1.0, "1")];
+        square.x_axis(canvas, ticks, "x");
+        square.y_axis(canvas, ticks, "y");
     }
 
     fn finish(self) -> String {

@@ -4,6 +4,10 @@
 mod boxes;
 #[path = "plot/gallery.rs"]
 mod gallery;
+#[path = "plot/shapes.rs"]
+mod shapes;
+#[path = "plot/sheet.rs"]
+mod sheet;
 
 use corput::Error;
 use corput::plot::{
@@ -221,7 +225,7 @@ fn text_is_drawn() {
     };
     let (empty, missing) = (sign(" "), sign("\u{4e00}"));
     let mut seen = vec![empty, missing];
-    for character in "aZ09%ωφθπΣΩ°±·×−→↑∝≈≤≥√∞∫½¼¾⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂".chars()
+    for character in "aZ09%ωφθπΣΩ°±·×−→↑∝≈≤≥√∞∫½¼¾⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂₃₄₅₆₇₈₉…’".chars()
     {
         let ink = sign(&character.to_string());
         assert!(!seen.contains(&ink), "`{character}` is missing in the font");
