@@ -11,11 +11,23 @@
 //! # Ok::<(), corput::Error>(())
 //! ```
 
+mod distance;
+mod l2;
+mod net;
 mod points;
+mod projections;
 mod spectrum;
+mod star;
+mod star_bounds;
 
+pub use distance::{Nearest, hexagonal_distance, nearest};
+pub use l2::{L2, L2_KINDS, L2Value, l2_discrepancy};
+pub use net::{MAX_SHAPES, Shape, TValue, elementary_intervals, t_value};
 pub use points::{Points, Source};
+pub use projections::{Projection, projections};
 pub use spectrum::{MAX_RANGE, Ring, Spectrum, spectrum, spectrum_range};
+pub use star::{star_1d, star_2d};
+pub use star_bounds::{StarBounds, star_bounds};
 
 use crate::error::{Error, Result};
 

@@ -16,8 +16,8 @@ use std::f64::consts::TAU;
 /// The highest frequency that can be asked for.
 pub const MAX_RANGE: usize = 1024;
 
-/// Points whose phases are in memory at a time.
-const BLOCK: usize = 256;
+/// Points between two words of progress.
+const BLOCK: usize = 4096;
 
 /// A periodogram and its rings.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,18 +107,15 @@ pub fn spectrum(points: &[[f64; 2]], range: usize, progress: Progress) -> Result
         ));
     }
     let side = 2 * range + 1;
-    // Columns of x >= 0, each of `side` sums by y: the rest is symmetric.
-    let mut sums = vec![[0.0f64; 2]; (range + 1) * side];
+    // For each x >= 0 `side` sums by y, first of cosines, then of sines: the rest of the
+    // plane is symmetric.
+    let mut sums = vec![0.0; (range + 1) * 2 * side];
     let share = (range + 1).div_ceil(threads());
     let mut done = 0;
-    for block in points.chunks(16 * BLOCK) {
+    for block in points.chunks(BLOCK) {
         std::thread::scope(|scope| {
-            for (i, part) in sums.chunks_mut(share * side).enumerate() {
-                scope.spawn(move || {
-                    for some in block.chunks(BLOCK) {
-                        add(some, range, i * share, part);
-                    }
-                });
+            for (i, part) in sums.chunks_mut(share * 2 * side).enumerate() {
+                scope.spawn(move || add(block, range, i * share, part));
             }
         });
         done += block.len() as u64;
@@ -126,9 +123,9 @@ pub fn spectrum(points: &[[f64; 2]], range: usize, progress: Progress) -> Result
     }
     let count = points.len() as f64;
     let mut image = vec![0.0; side * side];
-    for x in 0..=range {
-        for y in 0..side {
-            let [re, im] = sums[x * side + y];
+    for (x, sums) in sums.chunks_exact(2 * side).enumerate() {
+        let (cosines, sines) = sums.split_at(side);
+        for (y, (re, im)) in cosines.iter().zip(sines).enumerate() {
             let power = (re * re + im * im) / count;
             image[y * side + range + x] = power;
             image[(2 * range - y) * side + range - x] = power;
@@ -142,22 +139,33 @@ pub fn spectrum(points: &[[f64; 2]], range: usize, progress: Progress) -> Result
     })
 }
 
+/// Points that are added at once, so that a sum is loaded and stored once for them.
+const AT_ONCE: usize = 4;
+
 /// Adds points to the sums of the frequencies from x = `first` on.
-fn add(points: &[[f64; 2]], range: usize, first: usize, sums: &mut [[f64; 2]]) {
+fn add(points: &[[f64; 2]], range: usize, first: usize, sums: &mut [f64]) {
     let side = 2 * range + 1;
-    let mut phases = vec![[0.0; 2]; side];
-    let mut column = vec![[0.0; 2]; sums.len() / side];
-    for &[px, py] in points {
-        for (i, phase) in phases.iter_mut().enumerate() {
-            *phase = turn((i as f64 - range as f64) * py);
+    let mut cosines = vec![[0.0; AT_ONCE]; side];
+    let mut sines = vec![[0.0; AT_ONCE]; side];
+    for some in points.chunks(AT_ONCE) {
+        for i in 0..side {
+            // The rest of the last points stays without weight: its x phases are 0.
+            for (k, point) in some.iter().enumerate() {
+                [cosines[i][k], sines[i][k]] = turn((i as f64 - range as f64) * point[1]);
+            }
         }
-        for (i, phase) in column.iter_mut().enumerate() {
-            *phase = turn((first + i) as f64 * px);
-        }
-        for (&[c, s], sums) in column.iter().zip(sums.chunks_exact_mut(side)) {
-            for ([re, im], &[a, b]) in sums.iter_mut().zip(&phases) {
-                *re += c * a - s * b;
-                *im += c * b + s * a;
+        for (i, sums) in sums.chunks_exact_mut(2 * side).enumerate() {
+            let (mut c, mut s) = ([0.0; AT_ONCE], [0.0; AT_ONCE]);
+            for (k, point) in some.iter().enumerate() {
+                [c[k], s[k]] = turn((first + i) as f64 * point[0]);
+            }
+            let (re, im) = sums.split_at_mut(side);
+            let phases = cosines.iter().zip(&sines);
+            for ((re, im), (a, b)) in re.iter_mut().zip(im).zip(phases) {
+                for k in 0..AT_ONCE {
+                    *re += c[k] * a[k] - s[k] * b[k];
+                    *im += c[k] * b[k] + s[k] * a[k];
+                }
             }
         }
     }
