@@ -9,6 +9,7 @@ mod generate;
 mod headers;
 mod host;
 mod interrupt;
+mod plot;
 mod progress;
 
 use args::{Cli, Command};
@@ -30,6 +31,7 @@ pub fn main() -> ExitCode {
         Command::Headers(args) => headers::run(args),
         Command::Demo(args) => demo::run(args),
         Command::Bench(args) => bench::run(args),
+        Command::Plot(args) => plot::run(args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

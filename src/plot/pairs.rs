@@ -61,7 +61,7 @@ pub fn side(dimensions: usize, single: f64) -> f64 {
 /// `dimensions` is the number of those shown, `size` that of the style.
 #[must_use]
 pub fn pairs_points(dimensions: usize, size: f64) -> usize {
-    const SPACING: f64 = 2.5;
+    const SPACING: f64 = 3.0;
     let budget = MAX_POINTS / (dimensions * dimensions.saturating_sub(1) / 2).max(1);
     let room = (cell(dimensions, size) / SPACING).powi(2) as usize;
     1 << budget.min(room).max(1).ilog2()

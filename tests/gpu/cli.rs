@@ -6,6 +6,8 @@ mod commands;
 mod devices;
 #[path = "cli/parse.rs"]
 mod parse;
+#[path = "cli/plot.rs"]
+mod plot;
 #[path = "cli/refused.rs"]
 mod refused;
 #[cfg(unix)]

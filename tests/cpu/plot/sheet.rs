@@ -113,7 +113,7 @@ fn every_pair_is_shown_and_the_worst_is_enlarged() {
         assert!(has(&svg, &coordinate));
     }
     let crowd = |dimensions| pairs_points(dimensions, 360.0);
-    assert_eq!([2, 3, 8, 16].map(crowd), [16384, 8192, 1024, 256]);
+    assert_eq!([2, 3, 8, 16].map(crowd), [8192, 8192, 1024, 128]);
 }
 
 #[test]
