@@ -63,6 +63,32 @@ fn points_stand_beside_their_spectrum() {
 }
 
 #[test]
+fn dots_lie_where_their_values_are() {
+    let at = |view| {
+        let svg = sheet(&one(&[view], ""), &SheetStyle::default()).unwrap();
+        let [left, top, right, bottom] = frames(&svg)[0];
+        let part = |[x, y]: [f64; 2]| [(x - left) / (right - left), (bottom - y) / (bottom - top)];
+        dots(&svg).into_iter().map(part).collect::<Vec<_>>()
+    };
+    let scatter = View::Scatter {
+        points: &[[0.25, 0.75], [0.5, 0.0]],
+        dimensions: [0, 1],
+    };
+    assert_eq!(at(scatter), [[0.25, 0.75], [0.5, 0.0]]);
+    let sequence = View::Sequence {
+        values: &[0.75, 0.125],
+        dimension: 0,
+    };
+    assert_eq!(at(sequence), [[0.25, 0.75], [0.75, 0.125]]);
+    let pairs = View::Pairs {
+        columns: &[vec![0.25], vec![0.75]],
+        dimensions: &[0, 1],
+        marked: None,
+    };
+    assert_eq!(at(pairs), [[0.25, 0.75]]);
+}
+
+#[test]
 fn values_stand_over_their_index() {
     let line: Vec<f32> = (0..256).map(|n| radical_inverse(2, n) as f32).collect();
     let ticks = |count: usize| {
@@ -153,8 +179,14 @@ fn sharp_peaks_and_empty_rings_are_drawn() {
         &SheetStyle::default(),
     )
     .unwrap();
-    drawn("grid", &svg, [964, 456]);
+    let pixels = drawn("grid", &svg, [964, 456]);
     assert_apart(&svg);
+    // The peaks are cut off: below the caption and above the frame, nothing is drawn.
+    let [left, top, right, _] = frames(&svg)[2];
+    for x in (2.0 * left) as u32..(2.0 * right) as u32 {
+        let pixel = pixels.pixel(x, (2.0 * top) as u32 - 5).unwrap();
+        assert_eq!(pixel.green(), 255, "{x}");
+    }
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     assert!(svg.contains("radial mean power, up to"), "{svg}");
 }
