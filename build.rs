@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fmt::Write, fs};
 
 #[cfg(feature = "gpu")]
-#[allow(dead_code, reason = "the crate uses the rest")]
+#[allow(dead_code, unused_imports, reason = "the crate uses the rest")]
 #[path = "src/interface/mod.rs"]
 mod interface;
 

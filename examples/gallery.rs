@@ -3,7 +3,7 @@
 //! `cargo run --release --example gallery [FILE.svg|FILE.png]`, by default `docs/sequences.svg`.
 
 use corput::bulk::Reference;
-use corput::catalog::{Options, Request, Sequence};
+use corput::catalog::{Options, Request, Scramble, Sequence};
 use corput::plot::{GalleryStyle, Panel, Points, gallery, to_png};
 use corput::report::save;
 use std::path::PathBuf;
@@ -15,22 +15,67 @@ type Row = (&'static str, Options, &'static str);
 
 fn rows() -> Vec<Row> {
     let plain = |sequence| Options::new(sequence, COUNT as u64);
+    let owen = Options {
+        scramble: Some(Scramble::Owen),
+        ..plain(Sequence::Sobol)
+    };
+    // Of the seed 0 its points would be those of Sobol above, in another order.
+    let pmj02 = Options {
+        seed: Some(1),
+        ..plain(Sequence::Pmj02)
+    };
     vec![
+        (
+            "random",
+            plain(Sequence::Random),
+            "independent points: gaps and clumps",
+        ),
+        (
+            "stratified",
+            plain(Sequence::Stratified),
+            "a random point in each cell of a 16 × 16 grid",
+        ),
+        (
+            "Latin hypercube",
+            plain(Sequence::LatinHypercube),
+            "a point in each of 256 rows and of 256 columns",
+        ),
+        (
+            "multi-jittered",
+            plain(Sequence::MultiJittered),
+            "stratified and a Latin hypercube at once, correlated (CMJ)",
+        ),
         (
             "van der Corput",
             plain(Sequence::VanDerCorput),
-            "digits of the index mirrored at the point: each value halves a gap",
-        ),
-        (
-            "Halton",
-            plain(Sequence::Halton),
-            "van der Corput in the bases 2 and 3: any number of points",
+            "the index’s digits mirrored: each value falls in a gap",
         ),
         (
             "Hammersley",
             plain(Sequence::Hammersley),
-            "k/N and van der Corput: a set, of N points known beforehand",
+            "van der Corput and k/N: N is known beforehand",
         ),
+        (
+            "Halton",
+            plain(Sequence::Halton),
+            "van der Corput in bases 2 and 3: go on as long as you like",
+        ),
+        (
+            "R2",
+            plain(Sequence::R2),
+            "multiples of a fixed step, from the plastic number",
+        ),
+        (
+            "Sobol",
+            plain(Sequence::Sobol),
+            "as many points in each dyadic cell of a size",
+        ),
+        (
+            "Sobol, Owen-scrambled",
+            owen,
+            "that at random: unbiased, and without Sobol’s patterns",
+        ),
+        ("pmj02", pmj02, "multi-jittered at every power of two"),
     ]
 }
 

@@ -1,69 +1,30 @@
-// One column of consecutive points: what kind it is, and where it stands. The kinds
-// are specialization constants, so a driver keeps only the one it needs.
+// One column of consecutive points: what kind it is, and where it stands. Kinds are
+// words of the column, so a driver keeps only the one that a constant names.
 #ifndef KERNEL_COLUMN_GLSL
 #define KERNEL_COLUMN_GLSL
 
-#include "corput/hammersley.glsl"
-#include "corput/odometer.glsl"
-#include "corput/unit.glsl"
-
-const uint REVERSED = 0u;
-const uint ODOMETER = 1u;
-const uint GRID = 2u;
-const uint RADICAL = 3u;
-
-struct Column {
-    uint kind;
-    // For GRID: power is N, quotient and fraction the grid point of 1.
-    CorputOdometerBase base;
-};
-
-struct Cursor {
-    uint index;
-    CorputOdometer odometer;
-    CorputGridPoint grid;
-};
-
-Cursor cursor_start(uint index, Column c) {
-    Cursor cursor = Cursor(index, CorputOdometer(0u, 0u, 0u, 0u, 0u), CorputGridPoint(0u, 0u));
-    if (c.kind == ODOMETER) {
-        cursor.odometer = corput_odometer_start(index, c.base);
-    } else if (c.kind == GRID) {
-        cursor.grid = corput_hammersley_start(index, c.base.power);
-    }
-    return cursor;
-}
-
-uint cursor_value(Cursor cursor, Column c) {
-    if (c.kind == ODOMETER) {
-        return corput_odometer_value(cursor.odometer, c.base);
-    }
-    if (c.kind == GRID) {
-        return corput_hammersley_value(cursor.grid);
-    }
-    if (c.kind == RADICAL) {
-        return corput_radical_inverse_table(cursor.index, c.base.radical);
-    }
-    return corput_van_der_corput(cursor.index);
-}
-
-Cursor cursor_next(Cursor cursor, Column c) {
-    cursor.index += 1u;
-    if (c.kind == ODOMETER) {
-        cursor.odometer = corput_odometer_next(cursor.odometer, c.base);
-    } else if (c.kind == GRID) {
-        cursor.grid = corput_hammersley_next(cursor.grid,
-            CorputGridPoint(c.base.quotient, c.base.fraction), c.base.power);
-    }
-    return cursor;
-}
+#if COLUMN_FAMILY == 0
+#include "column_radical.glsl"
+#elif COLUMN_FAMILY == 1
+#include "column_net.glsl"
+#elif COLUMN_FAMILY == 2
+#include "column_random.glsl"
+#elif COLUMN_FAMILY == 3
+#include "column_strata.glsl"
+#elif COLUMN_FAMILY == 4
+#include "column_digits.glsl"
+#elif COLUMN_FAMILY == 5
+#include "column_lattice.glsl"
+#else
+#error this family of columns has no file
+#endif
 
 // The value as the file holds it.
 uint column_output(uint fraction, Column c, uint kind_of_output) {
     if (kind_of_output == 0u) {
         return fraction;
     }
-    return floatBitsToUint(c.kind == REVERSED ? corput_unit_floor(fraction) : corput_unit_ceil(fraction));
+    return floatBitsToUint(column_unit(fraction, c));
 }
 
 #endif

@@ -1,16 +1,16 @@
 //! The CPU path: the reference over ranges, on every core, with the bytes of the GPU.
 
-use crate::Result;
+mod column;
 mod irradiance;
 
 pub use irradiance::{RadianceMap, irradiance_sum, row_edges, sum_scale};
 
+use crate::Result;
 use crate::catalog::{Engine, Map, Output, Profile, Request};
-use crate::interface::{Column, map};
+use crate::interface::map;
 use crate::reference::native::{disk as native_disk, hemisphere as native_hemisphere};
-use crate::reference::radical_inverse::{Base, radical_inverse_table, van_der_corput};
-use crate::reference::{disk, hammersley, hemisphere, unit};
-use crate::variant::radical_base;
+use crate::reference::{disk, hemisphere};
+use column::Prepared;
 use glam::{UVec2, Vec2, Vec3, uvec2};
 
 /// Makes the points of a request on the CPU.
@@ -21,14 +21,6 @@ pub struct Reference {
     threads: usize,
 }
 
-/// A column with its constants.
-#[derive(Clone, Copy, Debug)]
-enum Prepared {
-    Reversed,
-    Radical(Base),
-    Grid(u32),
-}
-
 /// Points of a piece: a few hundred kilobytes, so that progress is seen.
 const PIECE: u64 = 1 << 18;
 
@@ -36,16 +28,7 @@ impl Reference {
     /// Prepares a request; threads as many as the machine has cores.
     #[must_use]
     pub fn new(request: &Request) -> Self {
-        let columns = request
-            .columns
-            .iter()
-            .map(|column| match *column {
-                Column::Reversed => Prepared::Reversed,
-                Column::Radical(base) => Prepared::Radical(radical_base(base)),
-                // 2^32 is written as 0.
-                Column::Grid(count) => Prepared::Grid(count as u32),
-            })
-            .collect();
+        let columns = request.columns.iter().map(Prepared::new).collect();
         Self {
             request: request.clone(),
             columns,
@@ -72,7 +55,7 @@ impl Reference {
 
     fn row(&self, n: u32, row: &mut [u32]) {
         if let Some(map) = self.request.map {
-            let u = uvec2(fraction(self.columns[0], n), fraction(self.columns[1], n));
+            let u = uvec2(self.columns[0].fraction(n), self.columns[1].fraction(n));
             let sample = match self.request.profile {
                 Profile::Exact => exact(map, u),
                 Profile::Native => native(map, u),
@@ -82,12 +65,11 @@ impl Reference {
             }
             return;
         }
-        for (word, &column) in row.iter_mut().zip(&self.columns) {
-            let u = fraction(column, n);
-            *word = match (self.request.output, column) {
-                (Output::Fractions, _) => u,
-                (Output::Floats, Prepared::Reversed) => unit::unit_floor(u).to_bits(),
-                (Output::Floats, _) => unit::unit_ceil(u).to_bits(),
+        for (word, column) in row.iter_mut().zip(&self.columns) {
+            let u = column.fraction(n);
+            *word = match self.request.output {
+                Output::Fractions => u,
+                Output::Floats => column.unit(u).to_bits(),
             };
         }
     }
@@ -114,14 +96,6 @@ impl Engine for Reference {
 
     fn chunk(&self) -> u64 {
         PIECE
-    }
-}
-
-fn fraction(column: Prepared, n: u32) -> u32 {
-    match column {
-        Prepared::Reversed => van_der_corput(n),
-        Prepared::Radical(base) => radical_inverse_table(n, base),
-        Prepared::Grid(count) => hammersley::hammersley(n, count),
     }
 }
 

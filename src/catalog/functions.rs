@@ -76,6 +76,20 @@ const fn float(
     }
 }
 
+const fn random(name: &'static str, header: &'static str, id: u32) -> Function {
+    Function {
+        kernel: "evaluate_random",
+        ..integer(name, header, id, Kind::Words)
+    }
+}
+
+const fn net(name: &'static str, header: &'static str, id: u32) -> Function {
+    Function {
+        kernel: "evaluate_net",
+        ..integer(name, header, id, Kind::Words)
+    }
+}
+
 const fn frame(name: &'static str, id: u32, bound: f64) -> Function {
     Function {
         name,
@@ -153,6 +167,20 @@ pub const FUNCTIONS: &[Function] = &[
         4.0,
         "2^-32",
     ),
+    random("hash", "hash", 0),
+    random("pcg4d", "hash", 1),
+    random("seed", "hash", 2),
+    random("philox", "random", 3),
+    random("random", "random", 4),
+    random("random_fast", "random", 5),
+    random("pcg32", "random", 6),
+    random("pcg32_advance", "random", 7),
+    random("digital_shift", "owen", 8),
+    random("owen", "owen", 9),
+    random("owen_hash", "owen", 10),
+    random("matrix_scramble", "owen", 11),
+    net("sobol", "sobol", 0),
+    net("pmj02", "pmj02", 1),
     frame("frame_tangent", 0, 4.0),
     frame("frame_bitangent", 1, 4.0),
     frame("frame_to_world", 2, 4.0),

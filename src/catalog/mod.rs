@@ -1,13 +1,16 @@
 //! What there is: sequences, maps, and one row per function, as plain data.
 
+mod columns;
 mod functions;
 mod map;
 mod request;
+mod scramble;
 mod sequence;
 
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use map::{MAPS, Map};
 pub use request::{Engine, Options, Output, Request};
+pub use scramble::{Order, SCRAMBLES, Scramble};
 pub use sequence::{SEQUENCES, Sequence};
 
 /// Where bits are promised to be the same.

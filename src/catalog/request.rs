@@ -1,12 +1,12 @@
 //! A validated description of points to make.
 
-use super::{Map, Profile, Sequence};
+use super::columns::{self, Made};
+use super::{Map, Order, Profile, Scramble, Sequence};
 use crate::interface::Column;
-use crate::tables::{LARGEST_PRIME, PRIMES, is_prime, nearest_prime};
 use crate::{Error, Result};
 
 /// Length of every sequence.
-const PERIOD: u64 = 1 << 32;
+pub(super) const PERIOD: u64 = 1 << 32;
 
 /// What is asked for, unchecked; [`Request::new`] checks it.
 #[derive(Clone, Debug)]
@@ -21,12 +21,22 @@ pub struct Options {
     pub dimensions: Option<u64>,
     /// Bases in place of the first primes.
     pub bases: Option<Vec<u64>>,
-    /// Hammersley: N; by default first + count.
+    /// Points of the whole set, of which the request may be a part; by default first +
+    /// count. Only sets have it: Hammersley's N, strata, Korobov lattices.
     pub total: Option<u64>,
     /// Hammersley: k/N first instead of last.
     pub index_first: bool,
-    /// Seed of randomisations. The sequences here have none and ignore it.
-    pub seed: u64,
+    /// Seed of randomisations; 0 by default.
+    pub seed: Option<u64>,
+    /// How to randomise the sequence; by default as
+    /// [`Sequence::default_scramble`] says.
+    pub scramble: Option<Scramble>,
+    /// Sobol: the order.
+    pub order: Order,
+    /// Strata: cells along each axis, in place of factors of the total.
+    pub grid: Option<Vec<u64>>,
+    /// Korobov: the generator, in place of that of the table.
+    pub generator: Option<u64>,
     /// Fractions of 2^32 as `u32` in place of floats.
     pub fractions: bool,
     /// A map to apply to each point.
@@ -49,7 +59,11 @@ impl Options {
             bases: None,
             total: None,
             index_first: false,
-            seed: 0,
+            seed: None,
+            scramble: None,
+            order: Order::Natural,
+            grid: None,
+            generator: None,
             fractions: false,
             map: None,
             with_pdf: false,
@@ -80,8 +94,12 @@ pub struct Request {
     pub first: u64,
     /// Number of points; first + count <= 2^32.
     pub count: u64,
-    /// Seed, kept for the record.
+    /// How the sequence is randomised.
+    pub scramble: Scramble,
+    /// Seed.
     pub seed: u64,
+    /// What may disappoint although it is right, a sentence each.
+    pub warnings: Vec<String>,
     /// What the words are.
     pub output: Output,
     /// The map, if any.
@@ -123,7 +141,11 @@ impl Request {
         if first.checked_add(count).is_none_or(|end| end > PERIOD) {
             return Err(Error::IndexRange { first, count });
         }
-        let columns = columns(options)?;
+        let Made {
+            columns,
+            scramble,
+            warnings,
+        } = columns::make(options)?;
         if options.map.is_some() && columns.len() != Map::DIMENSIONS as usize {
             return Err(Error::MapDimensions {
                 map: options.map.map_or("", |map| map.name),
@@ -150,7 +172,9 @@ impl Request {
             columns,
             first,
             count,
-            seed: options.seed,
+            scramble,
+            seed: options.seed.unwrap_or(0),
+            warnings,
             output: if options.fractions {
                 Output::Fractions
             } else {
@@ -170,98 +194,4 @@ impl Request {
             None => self.columns.len() as u32,
         }
     }
-}
-
-fn columns(options: &Options) -> Result<Vec<Column>> {
-    let sequence = options.sequence;
-    let grid = u64::from(sequence == Sequence::Hammersley);
-    if grid == 0 && (options.index_first || options.total.is_some()) {
-        return Err(Error::Arguments {
-            asked: format!("--index-first or --total with {}", sequence.name()),
-            limit: "only hammersley has the coordinate k/N".into(),
-            remedy: "drop them, or use hammersley".into(),
-        });
-    }
-    let given = options
-        .bases
-        .as_ref()
-        .map(|bases| bases.len() as u64 + grid);
-    if let (Some(given), Some(asked)) = (given, options.dimensions)
-        && given != asked
-    {
-        return Err(Error::Arguments {
-            asked: format!("--dims {asked} with bases for {given} dimensions"),
-            limit: "each dimension has one base, but for k/N of hammersley".into(),
-            remedy: "drop --dims, or give as many bases".into(),
-        });
-    }
-    let default = u64::from(sequence.default_dimensions());
-    let dimensions = given.or(options.dimensions).unwrap_or(default);
-    let (least, limit) = sequence.dimensions();
-    if dimensions < u64::from(least) || dimensions > u64::from(limit) {
-        return Err(Error::Dimensions {
-            sequence: sequence.name(),
-            asked: dimensions,
-            least,
-            limit,
-            remedy: match sequence {
-                Sequence::VanDerCorput => "use halton for more than one".into(),
-                _ if dimensions == 0 => "ask for at least one".into(),
-                _ => format!("the table of primes ends at {LARGEST_PRIME}; ask for fewer"),
-            },
-        });
-    }
-    let mut columns = match &options.bases {
-        Some(bases) => checked(bases)?,
-        None => PRIMES[..(dimensions - grid) as usize].to_vec(),
-    }
-    .into_iter()
-    .map(|base| match base {
-        2 => Column::Reversed,
-        _ => Column::Radical(base),
-    })
-    .collect::<Vec<_>>();
-    if grid == 1 {
-        let end = options.first + options.count;
-        let total = options.total.unwrap_or(end);
-        if total < end || total > PERIOD {
-            return Err(Error::Arguments {
-                asked: format!("--total {total} with points up to {end}"),
-                limit: format!("k/N needs k < N, and N at most 2^32 = {PERIOD}"),
-                remedy: format!("use --total between {end} and {PERIOD}"),
-            });
-        }
-        let at = if options.index_first {
-            0
-        } else {
-            columns.len()
-        };
-        columns.insert(at, Column::Grid(total));
-    }
-    Ok(columns)
-}
-
-fn checked(bases: &[u64]) -> Result<Vec<u32>> {
-    let mut checked = Vec::with_capacity(bases.len());
-    for &base in bases {
-        if base > u64::from(LARGEST_PRIME) {
-            return Err(Error::BaseTooLarge {
-                base,
-                limit: LARGEST_PRIME,
-            });
-        }
-        if !is_prime(base) {
-            return Err(Error::NotPrime {
-                base,
-                nearest: nearest_prime(base),
-            });
-        }
-        // At most LARGEST_PRIME, hence no bits are lost.
-        let base = base as u32;
-        if checked.contains(&base) {
-            return Err(Error::RepeatedBase { base });
-        }
-        checked.push(base);
-    }
-    Ok(checked)
 }

@@ -4,12 +4,15 @@
 //! the judge finds the error within its bound; a row of the native profile when the
 //! judge finds it within what Vulkan's precision tables allow.
 
+mod cases;
 mod functions;
 mod inputs;
 mod irradiance;
 mod native;
 mod native_points;
+mod net;
 mod points;
+mod random;
 mod rows;
 
 pub use functions::compare_function;
@@ -101,7 +104,7 @@ pub fn run(
             add(functions::check(device, function, &portable)?);
         }
     }
-    for case in points::cases()? {
+    for case in cases::cases()? {
         if wanted(&[&case.name, case.kernel]) {
             add(points::check(device, &case)?);
         }

@@ -1,6 +1,6 @@
 //! Kernels of the native profile that make samples of a map: judged, not compared.
 
-use super::points::{Case, Maker, POINTS, case, starts};
+use super::points::{Case, Maker, case, points, starts};
 use super::rows::{Row, Verdict};
 use crate::Result;
 use crate::catalog::{MAPS, Profile, Request};
@@ -35,7 +35,7 @@ pub fn native_cases() -> Result<Vec<Case>> {
 pub fn check_native(device: &Arc<Device>, case: &Case, bound: f64) -> Result<Row> {
     let request = &case.request;
     let mut maker = Maker::new(device, case)?;
-    let points = POINTS.min(request.count);
+    let points = points(request);
     let width = request.words_per_point() as usize;
     let mut row = Row {
         name: case.name.clone(),

@@ -3,7 +3,8 @@
 use super::rows::{Row, Verdict};
 use crate::Result;
 use crate::bulk::Reference;
-use crate::catalog::{Engine, MAPS, Options, Output, Request, Sequence};
+use crate::catalog::{Engine, Options, Output, Request, Sequence};
+use crate::interface::{Column, Family};
 use crate::kernels::{Generator, Mapper};
 use crate::vulkan::Device;
 use std::sync::Arc;
@@ -19,8 +20,17 @@ pub struct Case {
     pub request: Request,
 }
 
-/// Points of a range, which is as much as one buffer holds of the widest case.
-pub(super) const POINTS: u64 = 1 << 16;
+/// Points of a range: as much as one buffer holds of the widest case, and less of the
+/// families whose points cost more.
+pub(super) fn points(request: &Request) -> u64 {
+    let radical = |column: &Column| column.family() == Family::Radical;
+    let most = if request.columns.iter().all(radical) {
+        1 << 16
+    } else {
+        1 << 14
+    };
+    request.count.min(most)
+}
 
 /// Starts of ranges in a request of `count` points: the first, the last, and indices
 /// around 2^24 and 3^20, where f32 and the cells of base 3 end.
@@ -45,74 +55,6 @@ pub(super) fn case(
         kernel,
         request,
     })
-}
-
-/// Every kernel with the columns, outputs and maps that it may have.
-///
-/// # Errors
-/// None that these requests could cause.
-pub fn cases() -> Result<Vec<Case>> {
-    let mut cases = Vec::new();
-    for kernel in ["generate", "tile"] {
-        for fractions in [true, false] {
-            let kind = if fractions { "u32" } else { "f32" };
-            let mut columns = |name: &str, change: &dyn Fn(&mut Options)| {
-                let case = case(format!("{name} {kind}"), kernel, |o| {
-                    o.fractions = fractions;
-                    change(o);
-                });
-                case.map(|case| cases.push(case))
-            };
-            columns("vdc", &|o| o.sequence = Sequence::VanDerCorput)?;
-            columns("vdc base 3", &|o| {
-                o.sequence = Sequence::VanDerCorput;
-                o.bases = Some(vec![3]);
-            })?;
-            // Tiles are of one to four columns, or several of four.
-            let wide = if kernel == "tile" { 12 } else { 17 };
-            for dimensions in [2, 3, 4, wide] {
-                let name = format!("halton d={dimensions}");
-                columns(&name, &|o| o.dimensions = Some(dimensions))?;
-            }
-            columns("halton 2,251,8161", &|o| o.bases = Some(vec![2, 251, 8161]))?;
-            columns("hammersley d=2", &|o| o.sequence = Sequence::Hammersley)?;
-            columns("hammersley d=4, N=1000003", &|o| {
-                o.sequence = Sequence::Hammersley;
-                o.dimensions = Some(4);
-                o.count = 1_000_003;
-            })?;
-        }
-    }
-    cases.push(case("halton d=1024 f32".into(), "generate", |o| {
-        o.dimensions = Some(1024);
-        o.count = 64;
-    })?);
-    for map in MAPS {
-        for with_pdf in [false, true] {
-            let pdf = if with_pdf { " pdf" } else { "" };
-            for kernel in ["fused", "map"] {
-                let name = format!("halton {}{pdf}", map.name);
-                cases.push(case(name, kernel, |o| {
-                    o.map = Some(map);
-                    o.with_pdf = with_pdf;
-                })?);
-            }
-        }
-    }
-    cases.push(case("hammersley cosine-hemisphere".into(), "fused", |o| {
-        o.sequence = Sequence::Hammersley;
-        o.map = MAPS.first();
-        o.count = 1_000_003;
-    })?);
-    cases.push(case(
-        "halton 5,8161 cosine-hemisphere".into(),
-        "fused",
-        |o| {
-            o.bases = Some(vec![5, 8161]);
-            o.map = MAPS.first();
-        },
-    )?);
-    Ok(cases)
 }
 
 /// Runs a case.
@@ -146,7 +88,7 @@ pub fn compare_points(
     };
     let reference = Reference::new(request);
     let width = request.words_per_point() as usize;
-    let points = POINTS.min(request.count);
+    let points = points(request);
     let mut expected = vec![0; points as usize * width];
     for start in starts(request.count, points) {
         let got = make(start, points)?;

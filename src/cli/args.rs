@@ -44,7 +44,8 @@ pub struct DevicesArgs {
 
 #[derive(Debug, Args)]
 pub struct GenerateArgs {
-    /// vdc, halton or hammersley.
+    /// random, random-fast, pcg32, stratified, latin-hypercube, cmj, vdc, halton, hammersley,
+    /// sobol, pmj02, lattice, korobov or r2.
     pub sequence: String,
     /// Points to make: 1 to 2^32.
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
@@ -52,21 +53,35 @@ pub struct GenerateArgs {
     /// Index of the first point.
     #[arg(long, default_value = "0", value_parser = whole, allow_hyphen_values = true)]
     pub first: u64,
-    /// Dimensions: the first primes [default: 2, for vdc 1].
+    /// Dimensions [default: 2, for vdc 1].
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub dims: Option<u64>,
     /// Prime bases in place of the first primes, as 2,3,8161.
     #[arg(long, value_delimiter = ',', value_parser = whole, allow_hyphen_values = true)]
     pub bases: Option<Vec<u64>>,
-    /// hammersley: N of k/N [default: first + count].
+    /// Points of the whole set: hammersley, stratified, latin-hypercube, cmj, korobov [default:
+    /// first + count].
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub total: Option<u64>,
     /// hammersley: k/N as the first column instead of the last.
     #[arg(long)]
     pub index_first: bool,
-    /// Seed of randomisations; vdc, halton and hammersley have none.
-    #[arg(long, default_value = "0", value_parser = whole, allow_hyphen_values = true)]
-    pub seed: u64,
+    /// Seed of what is random [default: 0]; given to a lattice it also rotates it.
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub seed: Option<u64>,
+    /// vdc, halton: none, faure, permute, owen, start. sobol: none, shift, matrix, owen,
+    /// owen-hash. lattice, korobov, r2: none, rotate.
+    #[arg(long)]
+    pub scramble: Option<String>,
+    /// sobol: natural or gray.
+    #[arg(long, default_value = "natural")]
+    pub order: String,
+    /// stratified, cmj: cells along each axis, as 32x16 [default: nearly equal divisors].
+    #[arg(long, value_parser = grid)]
+    pub grid: Option<Grid>,
+    /// korobov: the generator [default: that published for the number of points].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub generator: Option<u64>,
     /// Write u32 fractions of 2^32 instead of f32.
     #[arg(long)]
     pub fractions: bool,
@@ -152,7 +167,7 @@ pub struct PlotArgs {
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub points: Option<u64>,
     /// A grid over the points, as 16x9, to show elementary cells.
-    #[arg(long, value_parser = grid)]
+    #[arg(long, value_parser = cells)]
     pub cells: Option<[u32; 2]>,
     /// Above the figure [default: the file's name].
     #[arg(long)]
@@ -166,7 +181,7 @@ pub struct PlotArgs {
 }
 
 /// Columns and rows, as 16x9.
-fn grid(text: &str) -> Result<[u32; 2], String> {
+fn cells(text: &str) -> Result<[u32; 2], String> {
     let parsed = text
         .split_once('x')
         .and_then(|(columns, rows)| Some([columns.parse().ok()?, rows.parse().ok()?]));
@@ -174,6 +189,21 @@ fn grid(text: &str) -> Result<[u32; 2], String> {
     match parsed {
         Some(cells) if cells.iter().all(|n| (1..=1024).contains(n)) => Ok(cells),
         _ => Err(format!("`{text}` is no grid; {limit}")),
+    }
+}
+
+/// Cells along each axis.
+#[derive(Clone, Debug)]
+pub struct Grid(pub Vec<u64>);
+
+fn grid(text: &str) -> Result<Grid, String> {
+    let cells: Result<Vec<u64>, String> = text.split('x').map(whole).collect();
+    match cells {
+        Ok(cells) if !cells.contains(&0) => Ok(Grid(cells)),
+        Ok(_) => Err(format!(
+            "`{text}` has an axis of 0 cells; each has at least 1"
+        )),
+        Err(reason) => Err(format!("{reason}; a grid is written as 32x16")),
     }
 }
 

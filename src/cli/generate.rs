@@ -4,7 +4,7 @@ use super::args::GenerateArgs;
 use super::{host, interrupt, progress};
 use corput::Result;
 use corput::bulk::Reference;
-use corput::catalog::{Engine, Map, Options, Output, Profile, Request, Sequence};
+use corput::catalog::{Engine, Map, Options, Order, Output, Profile, Request, Scramble, Sequence};
 use corput::kernels::Generator;
 use corput::report::{Element, Format, Layout, Sink, Target};
 use corput::vulkan::Device;
@@ -13,6 +13,9 @@ use std::sync::Arc;
 
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     let request = request(args)?;
+    for warning in &request.warnings {
+        eprintln!("corput: warning: {warning}");
+    }
     let target = Target::from(args.out.as_path());
     let format = match (&args.format, &target) {
         (Some(name), _) => name.parse()?,
@@ -38,7 +41,12 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
         Box::new(generator)
     };
     interrupt::clean_up();
-    let sink = Sink::open(&target, format, layout, arguments(args, device.as_ref()))?;
+    let sink = Sink::open(
+        &target,
+        format,
+        layout,
+        arguments(args, &request, device.as_ref()),
+    )?;
     stream(engine.as_mut(), &request, sink)?;
     if let Some(device) = &device {
         host::validated(device.instance())?;
@@ -56,6 +64,14 @@ fn request(args: &GenerateArgs) -> Result<Request> {
         total: args.total,
         index_first: args.index_first,
         seed: args.seed,
+        scramble: args
+            .scramble
+            .as_deref()
+            .map(Scramble::from_name)
+            .transpose()?,
+        order: Order::from_name(&args.order)?,
+        grid: args.grid.as_ref().map(|grid| grid.0.clone()),
+        generator: args.generator,
         fractions: args.fractions,
         map: args.map.as_deref().map(Map::from_name).transpose()?,
         with_pdf: args.with_pdf,
@@ -85,7 +101,7 @@ fn stream(engine: &mut dyn Engine, request: &Request, mut sink: Sink) -> Result<
 
 /// What a sidecar records: the arguments, and nothing that changes the bytes of the
 /// exact profile but them.
-fn arguments(args: &GenerateArgs, device: Option<&Arc<Device>>) -> Value {
+fn arguments(args: &GenerateArgs, request: &Request, device: Option<&Arc<Device>>) -> Value {
     json!({
         "sequence": args.sequence,
         "count": args.count,
@@ -94,7 +110,11 @@ fn arguments(args: &GenerateArgs, device: Option<&Arc<Device>>) -> Value {
         "bases": args.bases,
         "total": args.total,
         "index_first": args.index_first,
-        "seed": args.seed,
+        "seed": args.seed.unwrap_or(0),
+        "scramble": request.scramble.name(),
+        "order": args.order,
+        "grid": args.grid.as_ref().map(|grid| &grid.0),
+        "generator": args.generator,
         "fractions": args.fractions,
         "map": args.map,
         "with_pdf": args.with_pdf,

@@ -1,30 +1,9 @@
 //! The list of stock kernels.
 
 use super::{
-    Binding, Constant, Element, IrradiancePush, Kernel, Member, Profile, PushConstants, WorkPush,
-    map, output,
+    Binding, Constant, Element, FAMILIES, Family, IrradiancePush, Kernel, Member, Profile,
+    PushConstants, WorkPush, map, output,
 };
-
-macro_rules! columns {
-    ($($extra:expr,)* ; $(($index:literal, $prefix:literal)),*) => {
-        &[
-            $($extra,)*
-            $(
-                Constant { id: 16 + $index * 16, name: concat!($prefix, "_KIND"), default: 0 },
-                Constant { id: 17 + $index * 16, name: concat!($prefix, "_BASE"), default: 2 },
-                Constant { id: 18 + $index * 16, name: concat!($prefix, "_DIGITS"), default: 15 },
-                Constant { id: 19 + $index * 16, name: concat!($prefix, "_GROUP_POWER"), default: 32768 },
-                Constant { id: 20 + $index * 16, name: concat!($prefix, "_BASE_MAGIC"), default: 1 },
-                Constant { id: 21 + $index * 16, name: concat!($prefix, "_BASE_SHIFT"), default: 0 },
-                Constant { id: 22 + $index * 16, name: concat!($prefix, "_POWER_MAGIC"), default: 1 },
-                Constant { id: 23 + $index * 16, name: concat!($prefix, "_POWER_SHIFT"), default: 14 },
-                Constant { id: 24 + $index * 16, name: concat!($prefix, "_POWER"), default: 1 },
-                Constant { id: 25 + $index * 16, name: concat!($prefix, "_QUOTIENT"), default: 0 },
-                Constant { id: 26 + $index * 16, name: concat!($prefix, "_FRACTION"), default: 0 },
-            )*
-        ]
-    };
-}
 
 const OUTPUT: Constant = Constant {
     id: 0,
@@ -102,39 +81,106 @@ const ARGUMENTS: Binding = Binding {
 
 const WORK: &[Member] = WorkPush::MEMBERS;
 
-const fn tile(
-    name: &'static str,
-    defines: &'static [(&'static str, &'static str)],
-    constants: &'static [Constant],
-) -> Kernel {
+/// The kernels of a family that make points: the general one, tiles of one to four
+/// columns, and tiles of two that a map follows, in both profiles.
+const POINT_KERNELS: usize = 7;
+
+macro_rules! point_kernels {
+    ($family:expr, $suffix:literal) => {
+        [
+            Kernel {
+                name: concat!("generate", $suffix),
+                source: "generate.comp",
+                defines: &[("COLUMN_TABLE", "1")],
+                bindings: &[RESULTS, COLUMNS],
+                constants: &[OUTPUT, DIMENSIONS],
+                columns: Some(($family, 0)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("generate_tile_1", $suffix),
+                defines: &[("TILE_COLUMNS", "1")],
+                columns: Some(($family, 1)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("generate_tile_2", $suffix),
+                defines: &[("TILE_COLUMNS", "2")],
+                columns: Some(($family, 2)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("generate_tile_3", $suffix),
+                defines: &[("TILE_COLUMNS", "3")],
+                columns: Some(($family, 3)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("generate_tile_4", $suffix),
+                defines: &[("TILE_COLUMNS", "4")],
+                constants: &[OUTPUT, TILE, ROW, PART],
+                columns: Some(($family, 4)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("fused", $suffix),
+                source: "fused.comp",
+                defines: &[("TILE_COLUMNS", "2")],
+                constants: &[MAP, WITH_PDF, TILE],
+                columns: Some(($family, 2)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("fused_native", $suffix),
+                source: "fused.comp",
+                defines: &[("TILE_COLUMNS", "2"), ("KERNEL_NATIVE", "1")],
+                constants: &[MAP, WITH_PDF, TILE],
+                columns: Some(($family, 2)),
+                profile: Profile::Native,
+                ..points()
+            },
+        ]
+    };
+}
+
+/// What most kernels that make points have in common.
+const fn points() -> Kernel {
     Kernel {
-        name,
+        name: "",
         source: "generate_tile.comp",
-        defines,
+        defines: &[],
         local_size: 64,
         push: WORK,
         bindings: &[RESULTS],
-        constants,
+        constants: &[OUTPUT, TILE],
+        columns: None,
         profile: Profile::Integer,
     }
 }
 
-const fn directions(
+const POINTS_OF: [[Kernel; POINT_KERNELS]; FAMILIES.len()] = [
+    point_kernels!(Family::Radical, ""),
+    point_kernels!(Family::Net, "_net"),
+    point_kernels!(Family::Random, "_random"),
+    point_kernels!(Family::Strata, "_strata"),
+    point_kernels!(Family::Digits, "_digits"),
+    point_kernels!(Family::Lattice, "_lattice"),
+];
+
+const fn map_kernel(
     name: &'static str,
-    source: &'static str,
     defines: &'static [(&'static str, &'static str)],
-    bindings: &'static [Binding],
-    constants: &'static [Constant],
     profile: Profile,
 ) -> Kernel {
     Kernel {
         name,
-        source,
+        source: "map.comp",
         defines,
         local_size: 64,
         push: WORK,
-        bindings,
-        constants,
+        bindings: &[RESULTS, POINTS],
+        constants: &[MAP, WITH_PDF],
+        columns: None,
         profile,
     }
 }
@@ -152,74 +198,15 @@ const fn evaluate(
         push: WORK,
         bindings: &[RESULTS, ARGUMENTS],
         constants: &[FUNCTION, INDEXED],
+        columns: None,
         profile,
     }
 }
 
-/// Every stock kernel.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        name: "generate",
-        source: "generate.comp",
-        defines: &[],
-        local_size: 64,
-        push: WORK,
-        bindings: &[RESULTS, COLUMNS],
-        constants: &[OUTPUT, DIMENSIONS],
-        profile: Profile::Integer,
-    },
-    tile(
-        "generate_tile_1",
-        &[("TILE_COLUMNS", "1")],
-        columns!(OUTPUT, TILE,; (0, "COLUMN0")),
-    ),
-    tile(
-        "generate_tile_2",
-        &[("TILE_COLUMNS", "2")],
-        columns!(OUTPUT, TILE,; (0, "COLUMN0"), (1, "COLUMN1")),
-    ),
-    tile(
-        "generate_tile_3",
-        &[("TILE_COLUMNS", "3")],
-        columns!(OUTPUT, TILE,; (0, "COLUMN0"), (1, "COLUMN1"), (2, "COLUMN2")),
-    ),
-    tile(
-        "generate_tile_4",
-        &[("TILE_COLUMNS", "4")],
-        columns!(OUTPUT, TILE, ROW, PART,; (0, "COLUMN0"), (1, "COLUMN1"), (2, "COLUMN2"), (3, "COLUMN3")),
-    ),
-    directions(
-        "map",
-        "map.comp",
-        &[],
-        &[RESULTS, POINTS],
-        &[MAP, WITH_PDF],
-        Profile::Integer,
-    ),
-    directions(
-        "map_native",
-        "map.comp",
-        &[("KERNEL_NATIVE", "1")],
-        &[RESULTS, POINTS],
-        &[MAP, WITH_PDF],
-        Profile::Native,
-    ),
-    directions(
-        "fused",
-        "fused.comp",
-        &[("TILE_COLUMNS", "2")],
-        &[RESULTS],
-        columns!(MAP, WITH_PDF, TILE,; (0, "COLUMN0"), (1, "COLUMN1")),
-        Profile::Integer,
-    ),
-    directions(
-        "fused_native",
-        "fused.comp",
-        &[("TILE_COLUMNS", "2"), ("KERNEL_NATIVE", "1")],
-        &[RESULTS],
-        columns!(MAP, WITH_PDF, TILE,; (0, "COLUMN0"), (1, "COLUMN1")),
-        Profile::Native,
-    ),
+/// The kernels that do not make points alone.
+const OTHERS: &[Kernel] = &[
+    map_kernel("map", &[], Profile::Integer),
+    map_kernel("map_native", &[("KERNEL_NATIVE", "1")], Profile::Native),
     Kernel {
         name: "irradiance",
         source: "irradiance.comp",
@@ -242,6 +229,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         constants: &[],
+        columns: None,
         profile: Profile::Integer,
     },
     evaluate("evaluate", &[], Profile::Integer),
@@ -250,6 +238,30 @@ pub const KERNELS: &[Kernel] = &[
         &[("CORPUT_PORTABLE", "1")],
         Profile::Integer,
     ),
+    Kernel {
+        source: "evaluate_net.comp",
+        ..evaluate("evaluate_net", &[], Profile::Integer)
+    },
+    Kernel {
+        source: "evaluate_net.comp",
+        ..evaluate(
+            "evaluate_net_portable",
+            &[("CORPUT_PORTABLE", "1")],
+            Profile::Integer,
+        )
+    },
+    Kernel {
+        source: "evaluate_random.comp",
+        ..evaluate("evaluate_random", &[], Profile::Integer)
+    },
+    Kernel {
+        source: "evaluate_random.comp",
+        ..evaluate(
+            "evaluate_random_portable",
+            &[("CORPUT_PORTABLE", "1")],
+            Profile::Integer,
+        )
+    },
     evaluate("evaluate_frame", &[("KERNEL_FRAME", "1")], Profile::Float),
     evaluate(
         "evaluate_native",
@@ -277,6 +289,27 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         constants: &[],
+        columns: None,
         profile: Profile::Probe,
     },
 ];
+
+const COUNT: usize = POINT_KERNELS * FAMILIES.len() + OTHERS.len();
+
+const ALL: [Kernel; COUNT] = {
+    let mut all = [points(); COUNT];
+    let mut at = 0;
+    while at < COUNT {
+        let (family, row) = (at / POINT_KERNELS, at % POINT_KERNELS);
+        all[at] = if family < FAMILIES.len() {
+            POINTS_OF[family][row]
+        } else {
+            OTHERS[at - POINT_KERNELS * FAMILIES.len()]
+        };
+        at += 1;
+    }
+    all
+};
+
+/// Every stock kernel.
+pub const KERNELS: &[Kernel] = &ALL;

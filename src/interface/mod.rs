@@ -5,8 +5,12 @@
 //! `"interface.glsl"` of each kernel and compiles it; a test compares the tables with
 //! what the SPIR-V says.
 
+mod column;
+mod family;
 mod kernels;
 
+pub use column::{Column, DigitScramble, Generator, NetScramble, purpose};
+pub use family::{COLUMN_STRIDE, FAMILIES, Family, Word, column_kind};
 pub use kernels::KERNELS;
 
 use std::fmt::Write;
@@ -136,8 +140,10 @@ pub struct Kernel {
     pub push: &'static [Member],
     /// Storage buffers.
     pub bindings: &'static [Binding],
-    /// Specialization constants.
+    /// Specialization constants, besides those of the columns.
     pub constants: &'static [Constant],
+    /// What columns it makes, and how many of them it takes as constants.
+    pub columns: Option<(Family, u32)>,
     /// Which rules the linter holds it to.
     pub profile: Profile,
 }
@@ -160,6 +166,23 @@ impl Kernel {
     #[must_use]
     pub fn push_bytes(&self) -> u32 {
         4 * self.push.len() as u32
+    }
+
+    /// Every specialization constant: `constant_id`, name and default. Those of a column
+    /// begin with `COLUMN` and its number.
+    #[must_use]
+    pub fn specialization(&self) -> Vec<(u32, String, u32)> {
+        let own = self.constants.iter();
+        let mut all: Vec<_> = own.map(|c| (c.id, c.name.to_owned(), c.default)).collect();
+        if let Some((family, columns)) = self.columns {
+            for column in 0..columns {
+                let first = 16 + COLUMN_STRIDE * column;
+                for (id, (name, default)) in (first..).zip(family.words()) {
+                    all.push((id, format!("COLUMN{column}_{name}"), *default));
+                }
+            }
+        }
+        all
     }
 
     /// The GLSL of this interface: block, buffers, constants and the linear index of
@@ -190,12 +213,15 @@ impl Kernel {
             }
             text.push_str("} push;\n");
         }
-        for c in self.constants {
+        for (id, name, default) in self.specialization() {
             let _ = writeln!(
                 text,
-                "layout(constant_id = {}) const uint {} = {}u;",
-                c.id, c.name, c.default
+                "layout(constant_id = {id}) const uint {name} = {default}u;"
             );
+        }
+        if let Some((family, _)) = self.columns {
+            let _ = writeln!(text, "#define COLUMN_FAMILY {}", family.number());
+            let _ = writeln!(text, "#define COLUMN_WORDS {}u", family.words().len());
         }
         // More groups than one axis holds are dispatched in two.
         let _ = writeln!(
@@ -206,29 +232,6 @@ impl Kernel {
         );
         text
     }
-}
-
-/// What one column of the points is. All columns are fractions of 2^32.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Column {
-    /// The radical inverse in base 2.
-    Reversed,
-    /// The radical inverse in an odd prime base.
-    Radical(u32),
-    /// k/N, for N up to 2^32.
-    Grid(u64),
-}
-
-/// Values of the constant `COLUMN*_KIND`, and of a column's first word in a table.
-pub mod column_kind {
-    /// Radical inverse in base 2: bits in reverse.
-    pub const REVERSED: u32 = 0;
-    /// Radical inverse by the odometer.
-    pub const ODOMETER: u32 = 1;
-    /// k/N.
-    pub const GRID: u32 = 2;
-    /// Radical inverse, each from its index.
-    pub const RADICAL: u32 = 3;
 }
 
 /// Values of the constant `OUTPUT`.
@@ -252,6 +255,3 @@ pub mod map {
     /// Hemisphere, cosine-weighted, polar.
     pub const COSINE_HEMISPHERE_POLAR: u32 = 4;
 }
-
-/// Words of a column in the table of `generate`, and constants of a column.
-pub const COLUMN_WORDS: u32 = 11;

@@ -76,3 +76,20 @@ pub fn radical_inverse(n: u32, base: u32) -> u64 {
 pub fn hammersley(k: u32, count: u64) -> u64 {
     (u128::from(k) << 32).div_ceil(u128::from(count)) as u64
 }
+
+/// Direction numbers by the recurrence on the odd integers m_i, as the papers have it:
+/// m_i = 2 a_1 m_{i-1} ^ 2^2 a_2 m_{i-2} ^ ... ^ 2^s m_{i-s} ^ m_{i-s}, v_i = m_i / 2^i.
+#[must_use]
+pub fn sobol_directions(polynomial: u32, initial: &[u32]) -> [u32; 32] {
+    let degree = initial.len();
+    let mut m: Vec<u64> = initial.iter().map(|&m| u64::from(m)).collect();
+    for i in degree..32 {
+        let mut next = m[i - degree];
+        for k in 1..=degree {
+            let coefficient = u64::from(polynomial >> (degree - k) & 1);
+            next ^= coefficient * (m[i - k] << k);
+        }
+        m.push(next);
+    }
+    std::array::from_fn(|i| (u128::from(m[i]) << 32 >> (i + 1)) as u32)
+}

@@ -4,14 +4,21 @@
 //! `f64` carries 53 bits, 29 more than the results it judges, so its own error moves a
 //! ULP figure by less than 2^-28.
 
+mod digits;
 mod functions;
 mod maps;
+pub mod random;
+mod strata;
 
-pub use functions::{atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sqrt};
+pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
+pub use functions::{
+    atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sobol_directions, sqrt,
+};
 pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
+pub use strata::{additive, cmj, korobov, stratum};
 
 /// The distance from `truth` to `got` in units of the last place of the float nearest
 /// to `truth`; zero counts the smallest normal float as its unit.

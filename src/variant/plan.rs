@@ -1,9 +1,7 @@
 //! Which kernel a job runs, with which constants.
 
-use super::bases::{odometer_base, radical_base};
-use crate::interface::{COLUMN_WORDS, Column, KERNELS, Kernel, column_kind, output};
-use crate::reference::hammersley::hammersley_start;
-use crate::reference::odometer::OdometerBase;
+use super::columns::{column_words, longest_run};
+use crate::interface::{COLUMN_STRIDE, Column, Family, KERNELS, Kernel, output};
 
 /// A job in plain words.
 #[derive(Clone, Copy, Debug)]
@@ -81,7 +79,7 @@ pub fn plan(work: &Work) -> Plan {
 #[must_use]
 pub fn general(work: &Work) -> Plan {
     let mut plan = Plan {
-        kernel: kernel("generate"),
+        kernel: kernel("generate", family(work)),
         specializations: vec![Vec::new()],
         table: Some(
             work.columns
@@ -105,19 +103,11 @@ pub fn general(work: &Work) -> Plan {
 
 fn tiled(name: &'static str, work: &Work) -> Plan {
     // A GPU's lanes should write side by side; a CPU's run on by themselves, the longer
-    // the better, as far as every column has an odometer of that length.
-    let odometers = |tile| {
-        let has = |column: &Column| match column {
-            Column::Radical(prime) => odometer_base(*prime, tile).is_some(),
-            Column::Reversed | Column::Grid(_) => true,
-        };
-        work.columns.iter().all(has)
-    };
-    // Just below 3^5, 5^3 and 7^2.
-    let longest = [240, 120, 48].into_iter().find(|&tile| odometers(tile));
+    // the better.
+    let longest = work.columns.iter().map(longest_run).min();
     let tile = if work.cpu { longest.unwrap_or(16) } else { 4 };
     let mut plan = Plan {
-        kernel: kernel(name),
+        kernel: kernel(name, family(work)),
         specializations: Vec::new(),
         table: None,
         tile,
@@ -125,7 +115,7 @@ fn tiled(name: &'static str, work: &Work) -> Plan {
     for part in work.columns.chunks(4) {
         let mut values = Vec::new();
         for (index, &column) in part.iter().enumerate() {
-            let first = 16 * (index as u32 + 1);
+            let first = 16 + COLUMN_STRIDE * index as u32;
             values.extend((first..).zip(column_words(column, tile)));
         }
         plan.specializations.push(values);
@@ -156,56 +146,15 @@ impl Plan {
     }
 }
 
-/// The row with this name; the names are those of the table.
-fn kernel(name: &str) -> &'static Kernel {
-    KERNELS
-        .iter()
-        .find(|kernel| kernel.name == name)
-        .unwrap_or(&KERNELS[0])
+/// The family of the columns; one sequence has columns of one family.
+fn family(work: &Work) -> Family {
+    work.columns.first().map_or(Family::Radical, Column::family)
 }
 
-/// A column as the kernels read it; an odometer only where windows of `window` points
-/// have one (0: never).
-fn column_words(column: Column, window: u32) -> [u32; COLUMN_WORDS as usize] {
-    let mut base = OdometerBase {
-        radical: radical_base(2),
-        power: 1,
-        ..OdometerBase::default()
-    };
-    let kind = match column {
-        Column::Reversed => column_kind::REVERSED,
-        Column::Radical(prime) => {
-            base.radical = radical_base(prime);
-            match odometer_base(prime, window).filter(|_| window > 0) {
-                Some(odometer) => {
-                    base = odometer;
-                    column_kind::ODOMETER
-                }
-                None => column_kind::RADICAL,
-            }
-        }
-        Column::Grid(count) => {
-            // 2^32 is written as 0; N = 1 has no point 1, and takes no step.
-            let written = count as u32;
-            let step = hammersley_start(u32::from(written != 1), written);
-            base.power = written;
-            base.quotient = step.fraction;
-            base.fraction = step.remainder;
-            column_kind::GRID
-        }
-    };
-    let r = base.radical;
-    [
-        kind,
-        r.base,
-        r.digits,
-        r.power,
-        r.base_magic,
-        r.base_shift,
-        r.power_magic,
-        r.power_shift,
-        base.power,
-        base.quotient,
-        base.fraction,
-    ]
+/// The row of a family with this name; the names are those of the table.
+fn kernel(name: &str, family: Family) -> &'static Kernel {
+    KERNELS
+        .iter()
+        .find(|kernel| kernel.name.strip_suffix(family.suffix()) == Some(name))
+        .unwrap_or(&KERNELS[0])
 }

@@ -19,11 +19,21 @@ const LANGUAGES: [(&str, &str); 2] = [
 ];
 
 /// Hooks: the header that needs it, the macro, a definition.
-const HOOKS: [(&str, &str, &str); 2] = [
+const HOOKS: [(&str, &str, &str); 4] = [
     (
         "corput/halton.glsl",
         "CORPUT_PRIME",
         "#define CORPUT_PRIME(d) (2u + (d))\n",
+    ),
+    (
+        "corput/halton_scrambled.glsl",
+        "CORPUT_PRIME",
+        "#define CORPUT_PRIME(d) (2u + (d))\n",
+    ),
+    (
+        "corput/sobol.glsl",
+        "CORPUT_SOBOL_DIRECTION",
+        "#define CORPUT_SOBOL_DIRECTION(d, b) ((d) ^ (b))\n",
     ),
     (
         "corput/envmap.glsl",

@@ -6,8 +6,7 @@ mod facts;
 mod source;
 
 use corput::interface::{
-    COLUMN_WORDS, Element, IrradiancePush, KERNELS, PushConstants, WorkPush, column_kind, map,
-    output,
+    Element, Family, IrradiancePush, KERNELS, PushConstants, WorkPush, column_kind, map, output,
 };
 use corput::kernels::spirv;
 use facts::{constants, promised, reflected};
@@ -39,9 +38,9 @@ fn numbers(text: &str) -> BTreeSet<(String, u32)> {
     found
 }
 
-/// The numbers of one `pub mod` of src/interface/mod.rs.
+/// The numbers of one `pub mod` of src/interface.
 fn table(module: &str) -> BTreeSet<(String, u32)> {
-    let text = read("src/interface/mod.rs");
+    let text = read("src/interface/mod.rs") + &read("src/interface/family.rs");
     let start = text
         .split(&format!("pub mod {module} {{"))
         .nth(1)
@@ -69,7 +68,7 @@ fn a_wrong_row_is_seen() {
     let row = |name: &str| *KERNELS.iter().find(|row| row.name == name).expect(name);
     let (fused, map) = (row("fused"), row("map"));
     let facts = reflected(&spirv("fused").expect("a module"));
-    let mut wrong = [fused; 11];
+    let mut wrong = [fused; 13];
     wrong[0].local_size = 128;
     wrong[1].push = IrradiancePush::MEMBERS;
     wrong[2].bindings = map.bindings;
@@ -81,6 +80,8 @@ fn a_wrong_row_is_seen() {
     wrong[8].bindings = edited(fused.bindings, |binding| binding.binding = 1);
     wrong[9].constants = edited(fused.constants, |constant| constant.id = 99);
     wrong[10].constants = edited(fused.constants, |constant| constant.default += 1);
+    wrong[11].columns = Some((Family::Radical, 1));
+    wrong[12].columns = Some((Family::Net, 2));
     for (i, row) in wrong.iter().enumerate() {
         assert_ne!(promised(row), facts, "mistake {i}");
     }
@@ -95,7 +96,7 @@ fn a_wrong_row_is_seen() {
             seen += u32::from(constants(&changed) != constants(&words));
         }
     }
-    assert_eq!(seen as usize, fused.constants.len());
+    assert_eq!(seen as usize, fused.specialization().len());
 }
 
 #[test]
@@ -104,15 +105,11 @@ fn rows_keep_to_what_every_device_has() {
     for row in KERNELS {
         assert!(names.insert(row.name), "two rows {}", row.name);
         assert!(row.local_size <= 128 && row.bindings.len() <= 4 && row.push_bytes() <= 128);
-        let ids: BTreeSet<u32> = row.constants.iter().map(|c| c.id).collect();
-        let known: BTreeSet<&str> = row.constants.iter().map(|c| c.name).collect();
-        assert_eq!(ids.len(), row.constants.len(), "{}: an id twice", row.name);
-        assert_eq!(
-            known.len(),
-            row.constants.len(),
-            "{}: a name twice",
-            row.name
-        );
+        let constants = row.specialization();
+        let ids: BTreeSet<u32> = constants.iter().map(|c| c.0).collect();
+        let known: BTreeSet<&str> = constants.iter().map(|c| c.1.as_str()).collect();
+        assert_eq!(ids.len(), constants.len(), "{}: an id twice", row.name);
+        assert_eq!(known.len(), constants.len(), "{}: a name twice", row.name);
         let bindings: BTreeSet<u32> = row.bindings.iter().map(|b| b.binding).collect();
         assert_eq!(
             bindings.len(),
@@ -153,20 +150,27 @@ fn structs_have_the_size_of_their_blocks() {
 #[test]
 fn shaders_repeat_the_right_numbers() {
     let text = |name: &str| read(&format!("shaders/kernels/{name}"));
-    let words = BTreeSet::from([("COLUMN_WORDS".to_owned(), COLUMN_WORDS)]);
-    assert_eq!(numbers(&text("column.glsl")), table("column_kind"));
+    let kernels = files("shaders/kernels", &[".comp", ".glsl"]);
+    let columns: Vec<&String> = kernels
+        .iter()
+        .filter(|n| n.starts_with("column_"))
+        .collect();
+    let kinds: BTreeSet<_> = columns
+        .iter()
+        .flat_map(|name| numbers(&text(name)))
+        .collect();
+    assert_eq!(kinds, table("column_kind"));
     assert_eq!(numbers(&text("map.glsl")), table("map"));
-    assert_eq!(numbers(&text("generate.comp")), words);
-    // The reader of src/interface/mod.rs reads what the compiler reads.
+    // The reader of src/interface reads what the compiler reads.
     assert!(table("column_kind").contains(&("RADICAL".to_owned(), column_kind::RADICAL)));
     assert!(table("map").contains(&(
         "COSINE_HEMISPHERE_POLAR".to_owned(),
         map::COSINE_HEMISPHERE_POLAR
     )));
     // No other shader has numbers of its own at file level.
-    for name in files("shaders/kernels", &[".comp", ".glsl"]) {
-        let known = ["column.glsl", "map.glsl", "generate.comp"].contains(&name.as_str());
-        assert!(known || numbers(&text(&name)).is_empty(), "{name}");
+    for name in &kernels {
+        let known = columns.contains(&name) || name == "map.glsl";
+        assert!(known || numbers(&text(name)).is_empty(), "{name}");
     }
     let fractions = format!("if (kind_of_output == {}u)", output::FRACTIONS);
     assert!(text("column.glsl").contains(&fractions), "no `{fractions}`");

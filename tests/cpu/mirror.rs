@@ -13,6 +13,21 @@ use std::collections::BTreeSet;
 const HOOKS: &[(&str, &[(&str, &str)])] = &[
     // CORPUT_PRIME(dimension) is called by the shader, by the caller of the twin.
     ("halton", &[("u32", "n"), ("u32", "prime")]),
+    ("halton_faure", &[("u32", "n"), ("u32", "prime")]),
+    (
+        "halton_permuted",
+        &[("u32", "n"), ("u32", "prime"), ("u32", "seed")],
+    ),
+    (
+        "halton_owen",
+        &[("u32", "n"), ("u32", "prime"), ("u32", "seed")],
+    ),
+    (
+        "halton_started",
+        &[("u32", "n"), ("u32", "prime"), ("u32", "seed")],
+    ),
+    // CORPUT_SOBOL_DIRECTION(dimension, bit) reads what the twin gets as an array.
+    ("sobol", &[("u32", "n"), ("&[u32]", "directions")]),
     // CORPUT_ENVMAP_EDGE(i) reads what the twin gets as a slice.
     (
         "envmap_texel",
@@ -26,8 +41,10 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
 
 /// Modules that a twin may use besides those of its header's includes.
 const IMPORTS: &[(&str, &str)] = &[
-    // The header's array is generated from this table; tests/cpu/tables.rs compares.
+    // Each header's array is generated from a table; tests/cpu/tables.rs compares.
     ("primes", "tables"),
+    ("sobol_directions", "tables"),
+    ("lattice_vector", "tables"),
 ];
 
 /// Fields of a header comment, in order; others may stand between them.

@@ -1,18 +1,41 @@
 //! Committed files against the tables that generate them.
 
-use corput::tables::{PRIMES, is_prime, nearest_prime, primes_glsl};
+use corput::tables::{
+    PRIMES, is_prime, lattice_vector, lattice_vector_glsl, nearest_prime, primes_glsl, sobol_glsl,
+};
+
+/// A committed header against the text that a table generates.
+fn compare(name: &str, generated: &str) {
+    let path = format!("{}/shaders/corput/{name}.glsl", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("CORPUT_WRITE_TABLES").is_some() {
+        std::fs::write(&path, generated).expect("the table is written");
+    }
+    let committed = std::fs::read_to_string(&path).expect("the header is there");
+    assert!(
+        committed == generated,
+        "{name}: run `CORPUT_WRITE_TABLES=1 cargo test --test tables`"
+    );
+}
 
 #[test]
-fn primes_glsl_is_what_the_table_generates() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/shaders/corput/primes.glsl");
-    if std::env::var_os("CORPUT_WRITE_TABLES").is_some() {
-        std::fs::write(path, primes_glsl()).expect("the table is written");
-    }
-    let committed = std::fs::read_to_string(path).expect("the header is there");
-    assert!(
-        committed == primes_glsl(),
-        "run `CORPUT_WRITE_TABLES=1 cargo test --test tables`"
+fn headers_are_what_the_tables_generate() {
+    compare("primes", &primes_glsl());
+    compare("lattice_vector", &lattice_vector_glsl());
+    compare("sobol_directions", &sobol_glsl());
+}
+
+/// Odd and below 2^20, as the vector must be, and the sum of two independent copies of it.
+#[test]
+fn the_lattice_vector_is_the_published_one() {
+    let vector = lattice_vector();
+    assert_eq!(vector.len(), 250);
+    assert_eq!(
+        vector[..6],
+        [1, 182_667, 469_891, 498_753, 110_745, 446_247]
     );
+    assert_eq!(vector[245..], [40_729, 322_721, 420_175, 430_359, 480_757]);
+    assert!(vector.iter().all(|z| z % 2 == 1 && *z < 1 << 20));
+    assert_eq!(vector.iter().sum::<u32>(), 63_550_560);
 }
 
 #[test]

@@ -39,8 +39,8 @@ pub fn promised(row: &Kernel) -> Facts {
             "buffer 0.{at} {name}: {access} {element}[] every {stride}"
         ));
     }
-    for c in row.constants {
-        facts.insert(format!("constant {} {} = {}", c.id, c.name, c.default));
+    for (id, name, default) in row.specialization() {
+        facts.insert(format!("constant {id} {name} = {default}"));
     }
     facts
 }

@@ -1,0 +1,46 @@
+// Radical inverses with permuted digits.
+#ifndef KERNEL_COLUMN_DIGITS_GLSL
+#define KERNEL_COLUMN_DIGITS_GLSL
+
+#include "corput/scrambled_radical_inverse.glsl"
+#include "corput/unit.glsl"
+
+const uint FAURE = 14u;
+const uint PERMUTED = 15u;
+const uint OWEN = 16u;
+const uint STARTED = 17u;
+
+struct Column {
+    uint kind;
+    uint base;
+    uint seed;
+};
+
+#ifdef COLUMN_TABLE
+Column column_load(uint at) {
+    return Column(columns[at], columns[at + 1u], columns[at + 2u]);
+}
+#endif
+
+#define COLUMN(P) Column(P##_KIND, P##_BASE, P##_SEED)
+
+uint column_value(uint n, Column c) {
+    if (c.kind == FAURE) {
+        return corput_radical_inverse_faure(n, c.base);
+    }
+    if (c.kind == PERMUTED) {
+        return corput_radical_inverse_permuted(n, c.base, c.seed);
+    }
+    if (c.kind == OWEN) {
+        return corput_radical_inverse_owen(n, c.base, c.seed);
+    }
+    return corput_radical_inverse_started(n, c.base, c.seed);
+}
+
+#include "cursor.glsl"
+
+float column_unit(uint fraction, Column c) {
+    return corput_unit_floor(fraction);
+}
+
+#endif

@@ -1,0 +1,138 @@
+// Coordinates of nets in base 2. What is linear in the index, so Gray order and matrix
+// scrambles, is in the direction numbers.
+#ifndef KERNEL_COLUMN_NET_GLSL
+#define KERNEL_COLUMN_NET_GLSL
+
+#ifdef COLUMN_TABLE
+// "Dimension" is where the column's direction numbers begin.
+#define CORPUT_SOBOL_DIRECTION(dimension, bit) columns[(dimension) + (bit)]
+#include "corput/sobol.glsl"
+#endif
+#include "corput/owen.glsl"
+#include "corput/pmj02.glsl"
+#include "corput/unit.glsl"
+
+const uint SOBOL = 4u;
+const uint SOBOL_OWEN = 5u;
+const uint SOBOL_OWEN_HASH = 6u;
+const uint PMJ02 = 7u;
+
+#ifndef COLUMN_TABLE
+// No array: of constants it would be one that some translators do not know.
+struct Directions {
+    uint d0, d1, d2, d3, d4, d5, d6, d7;
+    uint d8, d9, d10, d11, d12, d13, d14, d15;
+    uint d16, d17, d18, d19, d20, d21, d22, d23;
+    uint d24, d25, d26, d27, d28, d29, d30, d31;
+};
+#endif
+
+struct Column {
+    uint kind;
+    uint shift;
+    uint dimension;
+    uint seed_low;
+    uint seed_high;
+    uint hash;
+#ifdef COLUMN_TABLE
+    uint directions;
+#else
+    Directions directions;
+#endif
+};
+
+// The coordinate from that of the net.
+uint column_scrambled(uint x, Column c) {
+    if (c.kind == SOBOL_OWEN) {
+        return corput_owen(x, c.dimension, uvec2(c.seed_low, c.seed_high));
+    }
+    if (c.kind == SOBOL_OWEN_HASH) {
+        return corput_owen_hash(x, c.hash);
+    }
+    return corput_digital_shift(x, c.shift);
+}
+
+uint column_pmj02(uint n, Column c) {
+    uvec2 p = corput_sobol_pair(corput_pmj02_index(n, uvec2(c.seed_low, c.seed_high)));
+    return corput_owen(c.dimension == 0u ? p.x : p.y, c.dimension, uvec2(c.seed_low, c.seed_high));
+}
+
+#ifdef COLUMN_TABLE
+Column column_load(uint at) {
+    return Column(columns[at], columns[at + 1u], columns[at + 2u],
+        columns[at + 3u], columns[at + 4u], columns[at + 5u], at + 6u);
+}
+
+uint column_value(uint n, Column c) {
+    if (c.kind == PMJ02) {
+        return column_pmj02(n, c);
+    }
+    return column_scrambled(corput_sobol(n, c.directions), c);
+}
+
+#include "cursor.glsl"
+#else
+#define COLUMN(P)                                                                     \
+    Column(P##_KIND, P##_SHIFT, P##_DIMENSION, P##_SEED_LOW, P##_SEED_HIGH, P##_HASH, \
+        Directions(P##_D0, P##_D1, P##_D2, P##_D3, P##_D4, P##_D5, P##_D6, P##_D7,    \
+            P##_D8, P##_D9, P##_D10, P##_D11, P##_D12, P##_D13, P##_D14, P##_D15,     \
+            P##_D16, P##_D17, P##_D18, P##_D19, P##_D20, P##_D21, P##_D22, P##_D23,   \
+            P##_D24, P##_D25, P##_D26, P##_D27, P##_D28, P##_D29, P##_D30, P##_D31))
+
+// What a bit of n contributes.
+#define NET_BIT(n, bit, direction) ((0u - (((n) >> (bit)) & 1u)) & (direction))
+
+// Of the index's bits the highest 24 stay over the 256 points of a block, and a tile,
+// which is shorter, meets two blocks at most.
+struct Cursor {
+    uint index;
+    uint high;
+    uint next_high;
+};
+
+// What bits 8 to 31 contribute.
+uint cursor_high(uint block, Column c) {
+    Directions d = c.directions;
+    return NET_BIT(block, 0, d.d8) ^ NET_BIT(block, 1, d.d9) ^ NET_BIT(block, 2, d.d10)
+        ^ NET_BIT(block, 3, d.d11) ^ NET_BIT(block, 4, d.d12) ^ NET_BIT(block, 5, d.d13)
+        ^ NET_BIT(block, 6, d.d14) ^ NET_BIT(block, 7, d.d15) ^ NET_BIT(block, 8, d.d16)
+        ^ NET_BIT(block, 9, d.d17) ^ NET_BIT(block, 10, d.d18) ^ NET_BIT(block, 11, d.d19)
+        ^ NET_BIT(block, 12, d.d20) ^ NET_BIT(block, 13, d.d21) ^ NET_BIT(block, 14, d.d22)
+        ^ NET_BIT(block, 15, d.d23) ^ NET_BIT(block, 16, d.d24) ^ NET_BIT(block, 17, d.d25)
+        ^ NET_BIT(block, 18, d.d26) ^ NET_BIT(block, 19, d.d27) ^ NET_BIT(block, 20, d.d28)
+        ^ NET_BIT(block, 21, d.d29) ^ NET_BIT(block, 22, d.d30) ^ NET_BIT(block, 23, d.d31);
+}
+
+Cursor cursor_start(uint index, Column c) {
+    if (c.kind == PMJ02) {
+        return Cursor(index, 0u, 0u);
+    }
+    uint block = index >> 8;
+    return Cursor(index, cursor_high(block, c), cursor_high(block + 1u, c));
+}
+
+uint cursor_value(Cursor cursor, Column c) {
+    if (c.kind == PMJ02) {
+        return column_pmj02(cursor.index, c);
+    }
+    Directions d = c.directions;
+    uint n = cursor.index;
+    uint x = cursor.high
+        ^ NET_BIT(n, 0, d.d0) ^ NET_BIT(n, 1, d.d1) ^ NET_BIT(n, 2, d.d2)
+        ^ NET_BIT(n, 3, d.d3) ^ NET_BIT(n, 4, d.d4) ^ NET_BIT(n, 5, d.d5)
+        ^ NET_BIT(n, 6, d.d6) ^ NET_BIT(n, 7, d.d7);
+    return column_scrambled(x, c);
+}
+
+Cursor cursor_next(Cursor cursor, Column c) {
+    uint index = cursor.index + 1u;
+    uint high = (index & 255u) == 0u ? cursor.next_high : cursor.high;
+    return Cursor(index, high, cursor.next_high);
+}
+#endif
+
+float column_unit(uint fraction, Column c) {
+    return corput_unit_floor(fraction);
+}
+
+#endif

@@ -1,0 +1,55 @@
+// Jittered strata: grids, Latin hypercubes, correlated multi-jittered sets.
+#ifndef KERNEL_COLUMN_STRATA_GLSL
+#define KERNEL_COLUMN_STRATA_GLSL
+
+#include "corput/random.glsl"
+#include "corput/stratified.glsl"
+
+const uint STRATIFIED = 11u;
+const uint LATIN_HYPERCUBE = 12u;
+const uint MULTI_JITTERED = 13u;
+
+struct Column {
+    uint kind;
+    uint dimension;
+    uint seed_low;
+    uint seed_high;
+    uint stride;
+    // Along this axis.
+    uint strata;
+    uint permutation;
+    uint grid_x;
+    uint grid_y;
+};
+
+#ifdef COLUMN_TABLE
+Column column_load(uint at) {
+    return Column(columns[at], columns[at + 1u], columns[at + 2u], columns[at + 3u],
+        columns[at + 4u], columns[at + 5u], columns[at + 6u],
+        columns[at + 7u], columns[at + 8u]);
+}
+#endif
+
+#define COLUMN(P)                                                            \
+    Column(P##_KIND, P##_DIMENSION, P##_SEED_LOW, P##_SEED_HIGH, P##_STRIDE, \
+        P##_STRATA, P##_PERMUTATION, P##_GRID_X, P##_GRID_Y)
+
+uint column_value(uint n, Column c) {
+    uint jitter = corput_random(n, c.dimension, uvec2(c.seed_low, c.seed_high));
+    if (c.kind == STRATIFIED) {
+        return corput_stratified(n, c.stride, c.strata, jitter);
+    }
+    if (c.kind == LATIN_HYPERCUBE) {
+        return corput_latin_hypercube(n, c.strata, c.permutation, jitter);
+    }
+    uvec2 p = corput_cmj(n, uvec2(c.grid_x, c.grid_y), c.permutation, uvec2(jitter));
+    return c.dimension == 0u ? p.x : p.y;
+}
+
+#include "cursor.glsl"
+
+float column_unit(uint fraction, Column c) {
+    return corput_unit_stratum(fraction, c.strata);
+}
+
+#endif

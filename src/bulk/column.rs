@@ -1,0 +1,155 @@
+//! Columns on the CPU, each value by the twin of its header.
+
+use crate::interface::{Column, DigitScramble, Generator, NetScramble, purpose};
+use crate::reference::fixed::{add64, mul64};
+use crate::reference::hash::seed as derived_seed;
+use crate::reference::lattice::{additive, korobov, lattice, rotate};
+use crate::reference::owen::{digital_shift, matrix_scramble, owen, owen_hash};
+use crate::reference::pmj02::pmj02;
+use crate::reference::radical_inverse::{Base, radical_inverse_table, van_der_corput};
+use crate::reference::scrambled_radical_inverse::{
+    radical_inverse_faure, radical_inverse_owen, radical_inverse_permuted, radical_inverse_started,
+};
+use crate::reference::sobol::{gray, sobol};
+use crate::reference::stratified::{cmj, latin_hypercube, stratified, unit_stratum};
+use crate::reference::{hammersley, random, unit};
+use crate::tables::sobol_directions;
+use crate::variant::radical_base;
+use glam::{UVec2, uvec2};
+
+/// A column with the constants that its values share.
+#[derive(Clone, Debug)]
+pub enum Prepared {
+    Radical(Base),
+    Net(Box<[u32; 32]>, Column),
+    Plain(Column),
+}
+
+impl Prepared {
+    pub fn new(column: &Column) -> Self {
+        match *column {
+            Column::Radical(base) => Self::Radical(radical_base(base)),
+            Column::Sobol { dimension, .. } => {
+                Self::Net(Box::new(sobol_directions(dimension)), *column)
+            }
+            column => Self::Plain(column),
+        }
+    }
+
+    /// The value at index n, a fraction of 2^32.
+    pub fn fraction(&self, n: u32) -> u32 {
+        match self {
+            Self::Radical(base) => radical_inverse_table(n, *base),
+            Self::Net(directions, column) => net(n, directions, *column),
+            Self::Plain(column) => plain(n, *column),
+        }
+    }
+
+    /// That value as a float in [0, 1).
+    pub fn unit(&self, u: u32) -> f32 {
+        match self {
+            Self::Radical(_) => unit::unit_ceil(u),
+            Self::Net(..) => unit::unit_floor(u),
+            Self::Plain(column) => match *column {
+                Column::Grid(_) | Column::Korobov { shift: None, .. } => unit::unit_ceil(u),
+                Column::Stratified { strata, .. } => unit_stratum(u, strata),
+                Column::LatinHypercube { count, .. } => unit_stratum(u, count),
+                Column::MultiJittered { grid: [x, y], .. } => unit_stratum(u, x * y),
+                _ => unit::unit_floor(u),
+            },
+        }
+    }
+}
+
+/// The scrambles one by one, where the kernels fold what is linear into the directions.
+fn net(n: u32, directions: &[u32; 32], column: Column) -> u32 {
+    let Column::Sobol {
+        dimension,
+        gray: by_gray,
+        scramble,
+        seed,
+    } = column
+    else {
+        return 0;
+    };
+    let seed = UVec2::from(seed);
+    let x = sobol(if by_gray { gray(n) } else { n }, directions);
+    match scramble {
+        NetScramble::None => x,
+        NetScramble::Shift => digital_shift(x, derived_seed(seed, dimension, purpose::SHIFT)),
+        NetScramble::Matrix => digital_shift(
+            matrix_scramble(x, dimension, seed),
+            derived_seed(seed, dimension, purpose::SHIFT),
+        ),
+        NetScramble::Owen => owen(x, dimension, seed),
+        NetScramble::OwenHash => owen_hash(x, derived_seed(seed, dimension, purpose::OWEN_HASH)),
+    }
+}
+
+fn plain(n: u32, column: Column) -> u32 {
+    match column {
+        Column::Radical(_) | Column::Sobol { .. } | Column::Reversed => van_der_corput(n),
+        // 2^32 is written as 0.
+        Column::Grid(count) => hammersley::hammersley(n, count as u32),
+        Column::Digits {
+            base,
+            scramble,
+            seed,
+        } => match scramble {
+            DigitScramble::Faure => radical_inverse_faure(n, base),
+            DigitScramble::Permuted => radical_inverse_permuted(n, base, seed),
+            DigitScramble::Owen => radical_inverse_owen(n, base, seed),
+            DigitScramble::Started => radical_inverse_started(n, base, seed),
+        },
+        Column::Pmj02 { dimension, seed } => axis(pmj02(n, UVec2::from(seed)), dimension),
+        Column::Random {
+            generator,
+            dimension,
+            dimensions,
+            seed,
+        } => match generator {
+            Generator::Philox => random::random(n, dimension, UVec2::from(seed)),
+            Generator::Pcg4d => random::random_fast(n, dimension, UVec2::from(seed)),
+            Generator::Pcg32 => {
+                let place = add64(mul64(n, dimensions), uvec2(dimension, 0));
+                let start = random::pcg32_seed(UVec2::from(seed), uvec2(54, 0));
+                random::pcg32_value(random::pcg32_advance(start, place))
+            }
+        },
+        Column::Stratified {
+            stride,
+            strata,
+            dimension,
+            seed,
+        } => stratified(n, stride, strata, jitter(n, dimension, seed)),
+        Column::LatinHypercube {
+            count,
+            dimension,
+            seed,
+            permutation,
+        } => latin_hypercube(n, count, permutation, jitter(n, dimension, seed)),
+        Column::MultiJittered {
+            grid,
+            dimension,
+            seed,
+            permutation,
+        } => {
+            let both = UVec2::splat(jitter(n, dimension, seed));
+            axis(cmj(n, UVec2::from(grid), permutation, both), dimension)
+        }
+        Column::Lattice { z, shift } => rotate(lattice(n, z), shift),
+        Column::Korobov { z, count, shift } => rotate(korobov(n, z, count), shift.unwrap_or(0)),
+        Column::Additive { alpha, shift } => {
+            let alpha = uvec2(alpha as u32, (alpha >> 32) as u32);
+            rotate(additive(n, alpha), shift)
+        }
+    }
+}
+
+fn jitter(n: u32, dimension: u32, seed: [u32; 2]) -> u32 {
+    random::random(n, dimension, UVec2::from(seed))
+}
+
+fn axis(p: UVec2, dimension: u32) -> u32 {
+    if dimension == 0 { p.x } else { p.y }
+}

@@ -1,0 +1,110 @@
+//! Jittered strata: grids, Latin hypercubes, correlated multi-jittered sets.
+
+use super::Asked;
+use crate::catalog::Sequence;
+use crate::interface::{Column, purpose};
+use crate::tables::{composite_neighbours, is_prime, nearly_equal_factors};
+use crate::{Error, Result};
+
+/// Points of a set at most: a count must be a word.
+const MOST: u64 = (1 << 32) - 1;
+
+pub(super) fn columns(asked: &Asked, warnings: &mut Vec<String>) -> Result<Vec<Column>> {
+    let (sequence, total, seed) = (asked.sequence, asked.total, asked.seed);
+    if total > MOST {
+        return Err(Error::Arguments {
+            asked: format!("{} of {total} points", sequence.name()),
+            limit: format!("a set of strata has at most 2^32 - 1 = {MOST}"),
+            remedy: "ask for fewer, or use sobol".into(),
+        });
+    }
+    match sequence {
+        Sequence::LatinHypercube => Ok(asked.per_dimension(|dimension| Column::LatinHypercube {
+            // Checked above.
+            count: total as u32,
+            dimension,
+            seed,
+            permutation: asked.derived(dimension, purpose::PERMUTATION),
+        })),
+        Sequence::MultiJittered => {
+            let grid = multi_jittered(asked)?;
+            let permutation = asked.derived(0, purpose::PERMUTATION);
+            Ok(asked.per_dimension(|dimension| Column::MultiJittered {
+                grid,
+                dimension,
+                seed,
+                permutation,
+            }))
+        }
+        _ => {
+            let grid = stratified(asked, warnings)?;
+            let mut stride = 1;
+            let mut columns = Vec::new();
+            for (dimension, &strata) in (0..).zip(&grid) {
+                columns.push(Column::Stratified {
+                    stride,
+                    strata,
+                    dimension,
+                    seed,
+                });
+                // The product of all is the total, which is a u32; past the last axis
+                // nobody reads it.
+                stride = stride.wrapping_mul(strata);
+            }
+            Ok(columns)
+        }
+    }
+}
+
+/// The given grid, whose cells must be as many as the points.
+fn given(asked: &Asked, grid: &[u64]) -> Result<Vec<u32>> {
+    let product = grid.iter().try_fold(1u64, |a, b| a.checked_mul(*b));
+    if product != Some(asked.total) {
+        let text: Vec<String> = grid.iter().map(u64::to_string).collect();
+        let cells = product.map_or("more than 2^64".into(), |p| p.to_string());
+        return Err(Error::Arguments {
+            asked: format!("--grid {} with {} points", text.join("x"), asked.total),
+            limit: format!("the grid has {cells} cells, and each takes one point"),
+            remedy: match product {
+                Some(product @ 1..=MOST) => format!("use --count {product}, or another grid"),
+                _ => "use another grid".into(),
+            },
+        });
+    }
+    // Factors of a total below 2^32.
+    Ok(grid.iter().map(|&cells| cells as u32).collect())
+}
+
+fn stratified(asked: &Asked, warnings: &mut Vec<String>) -> Result<Vec<u32>> {
+    if let Some(grid) = &asked.options.grid {
+        return given(asked, grid);
+    }
+    let total = asked.total;
+    if asked.dimensions > 1 && total > 3 && is_prime(total) {
+        warnings.push(format!(
+            "{total} is prime, so its grid has all cells along one axis; a count with divisors, \
+             or --grid, stratifies the others"
+        ));
+    }
+    let factors = nearly_equal_factors(total, asked.dimensions as usize);
+    // Factors of a total below 2^32.
+    Ok(factors.iter().map(|&cells| cells as u32).collect())
+}
+
+/// m x n as near to a square as the divisors allow. A prime has no such grid.
+fn multi_jittered(asked: &Asked) -> Result<[u32; 2]> {
+    let total = asked.total;
+    if let Some(grid) = &asked.options.grid {
+        let grid = given(asked, grid)?;
+        return Ok([grid[0], grid[1]]);
+    }
+    if let Some([below, above]) = composite_neighbours(total) {
+        return Err(Error::Arguments {
+            asked: format!("cmj of {total} points"),
+            limit: format!("the set has m x n points, and {total} is prime"),
+            remedy: format!("use --count {below} or {above}, or --grid 1x{total}"),
+        });
+    }
+    let factors = nearly_equal_factors(total, 2);
+    Ok([factors[0] as u32, factors[1] as u32])
+}

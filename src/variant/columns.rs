@@ -1,0 +1,200 @@
+//! The words that tell a kernel what a column is.
+
+use super::bases::{odometer_base, radical_base};
+use crate::interface::{Column, DigitScramble, Generator, NetScramble, column_kind, purpose};
+use crate::reference::hammersley::hammersley_start;
+use crate::reference::hash::seed as derived_seed;
+use crate::reference::odometer::OdometerBase;
+use crate::reference::owen::matrix_scramble;
+use crate::tables::sobol_directions;
+use glam::UVec2;
+
+/// A column's words, as its family lists them; an odometer only where windows of
+/// `window` points have one (0: never).
+#[must_use]
+pub fn column_words(column: Column, window: u32) -> Vec<u32> {
+    match column {
+        Column::Reversed | Column::Radical(_) | Column::Grid(_) => radical(column, window),
+        Column::Sobol {
+            dimension,
+            gray,
+            scramble,
+            seed,
+        } => net(dimension, gray, scramble, seed),
+        Column::Pmj02 {
+            dimension,
+            seed: [low, high],
+        } => {
+            let mut words = vec![column_kind::PMJ02, 0, dimension, low, high, 0];
+            words.resize(38, 0);
+            words
+        }
+        Column::Random {
+            generator,
+            dimension,
+            dimensions,
+            seed: [low, high],
+        } => {
+            let kind = match generator {
+                Generator::Philox => column_kind::PHILOX,
+                Generator::Pcg4d => column_kind::PCG4D,
+                Generator::Pcg32 => column_kind::PCG32,
+            };
+            vec![kind, dimension, dimensions, low, high]
+        }
+        Column::Stratified {
+            stride,
+            strata,
+            dimension,
+            seed: [low, high],
+        } => {
+            let kind = column_kind::STRATIFIED;
+            vec![kind, dimension, low, high, stride, strata, 0, 1, 1]
+        }
+        Column::LatinHypercube {
+            count,
+            dimension,
+            seed: [low, high],
+            permutation,
+        } => {
+            let kind = column_kind::LATIN_HYPERCUBE;
+            vec![kind, dimension, low, high, 1, count, permutation, 1, 1]
+        }
+        Column::MultiJittered {
+            grid: [x, y],
+            dimension,
+            seed: [low, high],
+            permutation,
+        } => {
+            let kind = column_kind::MULTI_JITTERED;
+            vec![kind, dimension, low, high, 1, x * y, permutation, x, y]
+        }
+        Column::Digits {
+            base,
+            scramble,
+            seed,
+        } => {
+            let kind = match scramble {
+                DigitScramble::Faure => column_kind::FAURE,
+                DigitScramble::Permuted => column_kind::PERMUTED,
+                DigitScramble::Owen => column_kind::OWEN,
+                DigitScramble::Started => column_kind::STARTED,
+            };
+            vec![kind, base, seed]
+        }
+        Column::Lattice { z, shift } => vec![column_kind::LATTICE, z, 0, 1, shift],
+        Column::Korobov { z, count, shift } => {
+            let kind = match shift {
+                None => column_kind::KOROBOV,
+                Some(_) => column_kind::KOROBOV_ROTATED,
+            };
+            vec![kind, z, 0, count, shift.unwrap_or(0)]
+        }
+        Column::Additive { alpha, shift } => {
+            let (low, high) = (alpha as u32, (alpha >> 32) as u32);
+            vec![column_kind::ADDITIVE, low, high, 1, shift]
+        }
+    }
+}
+
+/// Points that an invocation may make in a row: as many as the column's odometer allows,
+/// just below 3^5, 5^3 or 7^2; and so few of the costly kinds that the loops of four
+/// columns stay below the 65,535 iterations after which llvmpipe ends an invocation.
+#[must_use]
+pub fn longest_run(column: &Column) -> u32 {
+    match column {
+        Column::Radical(prime) => [240, 120, 48]
+            .into_iter()
+            .find(|&tile| odometer_base(*prime, tile).is_some())
+            .unwrap_or(16),
+        // 50 rounds of Philox a value, 64 steps, or 32 steps of long division.
+        Column::Sobol {
+            scramble: NetScramble::Owen,
+            ..
+        }
+        | Column::Pmj02 { .. }
+        | Column::Random {
+            generator: Generator::Pcg32,
+            ..
+        }
+        | Column::Korobov { .. } => 48,
+        // Two long divisions and a permutation a value; or one permutation per digit.
+        Column::Stratified { .. }
+        | Column::LatinHypercube { .. }
+        | Column::MultiJittered { .. }
+        | Column::Digits { .. } => 16,
+        _ => 240,
+    }
+}
+
+/// Direction numbers with all that is linear in the index: bit b of the index sets bits b
+/// and b - 1 of its Gray code, and a matrix times a sum is the sum of its products.
+fn net(dimension: u32, gray: bool, scramble: NetScramble, seed: [u32; 2]) -> Vec<u32> {
+    let seed = UVec2::from(seed);
+    let mut directions = sobol_directions(dimension);
+    if gray {
+        for bit in (1..32).rev() {
+            directions[bit] ^= directions[bit - 1];
+        }
+    }
+    if scramble == NetScramble::Matrix {
+        directions = directions.map(|v| matrix_scramble(v, dimension, seed));
+    }
+    let kind = match scramble {
+        NetScramble::None | NetScramble::Shift | NetScramble::Matrix => column_kind::SOBOL,
+        NetScramble::Owen => column_kind::SOBOL_OWEN,
+        NetScramble::OwenHash => column_kind::SOBOL_OWEN_HASH,
+    };
+    let shift = match scramble {
+        NetScramble::Shift | NetScramble::Matrix => derived_seed(seed, dimension, purpose::SHIFT),
+        _ => 0,
+    };
+    let hash = derived_seed(seed, dimension, purpose::OWEN_HASH);
+    let mut words = vec![kind, shift, dimension, seed.x, seed.y, hash];
+    words.extend(directions);
+    words
+}
+
+fn radical(column: Column, window: u32) -> Vec<u32> {
+    let mut base = OdometerBase {
+        radical: radical_base(2),
+        power: 1,
+        ..OdometerBase::default()
+    };
+    let kind = match column {
+        Column::Radical(prime) => {
+            base.radical = radical_base(prime);
+            match odometer_base(prime, window).filter(|_| window > 0) {
+                Some(odometer) => {
+                    base = odometer;
+                    column_kind::ODOMETER
+                }
+                None => column_kind::RADICAL,
+            }
+        }
+        Column::Grid(count) => {
+            // 2^32 is written as 0; N = 1 has no point 1, and takes no step.
+            let written = count as u32;
+            let step = hammersley_start(u32::from(written != 1), written);
+            base.power = written;
+            base.quotient = step.fraction;
+            base.fraction = step.remainder;
+            column_kind::GRID
+        }
+        _ => column_kind::REVERSED,
+    };
+    let r = base.radical;
+    vec![
+        kind,
+        r.base,
+        r.digits,
+        r.power,
+        r.base_magic,
+        r.base_shift,
+        r.power_magic,
+        r.power_shift,
+        base.power,
+        base.quotient,
+        base.fraction,
+    ]
+}
