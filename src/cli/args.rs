@@ -33,6 +33,8 @@ pub enum Command {
     Demo(DemoArgs),
     /// Measure speed, verified first, as a ratio to a fill of the same bytes.
     Bench(BenchArgs),
+    /// Draw the points of .npy files: scatter, pairs of dimensions, power spectrum.
+    Plot(PlotArgs),
 }
 
 #[derive(Debug, Args)]
@@ -182,6 +184,49 @@ pub struct BenchArgs {
     /// Print one JSON document.
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct PlotArgs {
+    /// The files, 1 to 8: points of [0, 1) as f4 or f8, or u4 fractions of 2^32. Several
+    /// stand side by side.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// scatter, pairs, spectrum or all [default: all for 1 or 2 dimensions, else pairs].
+    #[arg(long)]
+    pub kind: Option<String>,
+    /// Dimensions, counted from 0, as 0,3,7 [default: the first 8; the first 2 for scatter and
+    /// spectrum].
+    #[arg(long, value_delimiter = ',', value_parser = whole, allow_hyphen_values = true)]
+    pub dims: Option<Vec<u64>>,
+    /// Draw and measure the first so many points [default: all, at most 65536, in pairs as
+    /// many as can be told apart; the figure says how many].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub points: Option<u64>,
+    /// A grid over the points, as 16x9, to show elementary cells.
+    #[arg(long, value_parser = cells)]
+    pub cells: Option<[u32; 2]>,
+    /// Above the figure [default: the file's name].
+    #[arg(long)]
+    pub title: Option<String>,
+    /// Side of a square in pixels, 200 to 1000; a PNG has twice as many.
+    #[arg(long, default_value = "360", value_parser = whole, allow_hyphen_values = true)]
+    pub size: u64,
+    /// The picture: .svg or .png.
+    #[arg(long)]
+    pub out: PathBuf,
+}
+
+/// Columns and rows, as 16x9.
+fn cells(text: &str) -> Result<[u32; 2], String> {
+    let parsed = text
+        .split_once('x')
+        .and_then(|(columns, rows)| Some([columns.parse().ok()?, rows.parse().ok()?]));
+    let limit = "it must be columns x rows, each 1 to 1024, as 16x9";
+    match parsed {
+        Some(cells) if cells.iter().all(|n| (1..=1024).contains(n)) => Ok(cells),
+        _ => Err(format!("`{text}` is no grid; {limit}")),
+    }
 }
 
 /// Cells along each axis.

@@ -10,6 +10,7 @@ mod headers;
 mod host;
 mod interrupt;
 mod measure;
+mod plot;
 mod progress;
 
 use args::{Cli, Command};
@@ -32,6 +33,7 @@ pub fn main() -> ExitCode {
         Command::Headers(args) => headers::run(args),
         Command::Demo(args) => demo::run(args),
         Command::Bench(args) => bench::run(args),
+        Command::Plot(args) => plot::run(args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,8 +1,10 @@
 //! Lines on two logarithmic axes, each labelled at its end.
 
 use crate::error::Result;
+use crate::plot::numbers::superscript;
 use crate::plot::refuse;
-use crate::plot::svg::{Anchor, Canvas, FAINT, INK, QUIET, text_width};
+use crate::plot::svg::{Anchor, BLUE, Canvas, FAINT, INK, QUIET, VERMILION};
+use crate::plot::text;
 
 /// A named line.
 #[derive(Clone, Debug)]
@@ -44,7 +46,7 @@ impl Default for LinesStyle<'_> {
 
 /// The palette of Okabe and Ito, without its yellow, which white swallows.
 const COLOURS: [&str; 7] = [
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
+    BLUE, VERMILION, "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
 ];
 const LEFT: f64 = 78.0;
 const BOTTOM: f64 = 54.0;
@@ -98,7 +100,7 @@ pub fn error_lines(series: &[Series], style: &LinesStyle<'_>) -> Result<String> 
         .map(|(name, _)| *name)
         .chain(style.slopes.iter().map(|s| s.0));
     let label_width = names
-        .map(|name| text_width(name, LABEL_SIZE))
+        .map(|name| text::width(name, LABEL_SIZE))
         .fold(0.0, f64::max);
 
     let mut canvas = Canvas::new(
@@ -292,14 +294,4 @@ impl Axis {
             })
             .collect()
     }
-}
-
-fn superscript(number: i64) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let sign = if number < 0 { "⁻" } else { "" };
-    let digits = number.unsigned_abs().to_string();
-    let raised = digits
-        .bytes()
-        .filter_map(|digit| DIGITS.get(usize::from(digit.wrapping_sub(b'0'))));
-    sign.chars().chain(raised.copied()).collect()
 }

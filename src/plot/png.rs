@@ -25,6 +25,15 @@ fn fonts() -> Arc<Database> {
     Arc::clone(FONTS.get_or_init(load))
 }
 
+/// How SVG is read: in that font.
+pub fn options() -> Options<'static> {
+    Options {
+        font_family: "DejaVu Sans".to_owned(),
+        fontdb: fonts(),
+        ..Options::default()
+    }
+}
+
 /// Renders an SVG at `scale` pixels per unit to PNG.
 ///
 /// # Errors
@@ -32,12 +41,7 @@ fn fonts() -> Arc<Database> {
 /// [`Error::Arguments`](crate::Error::Arguments) for text that is no SVG, or a scale that
 /// gives a side of no pixel or of more than 16,384.
 pub fn to_png(svg: &str, scale: f32) -> Result<Vec<u8>> {
-    let options = Options {
-        font_family: "DejaVu Sans".to_owned(),
-        fontdb: fonts(),
-        ..Options::default()
-    };
-    let tree = match Tree::from_str(svg, &options) {
+    let tree = match Tree::from_str(svg, &options()) {
         Ok(tree) => tree,
         Err(error) => {
             return refuse(

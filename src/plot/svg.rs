@@ -1,5 +1,6 @@
 //! A page of SVG: the few shapes that the figures need.
 
+use crate::plot::square::Square;
 use std::fmt::Write;
 
 /// Axes and text.
@@ -8,6 +9,9 @@ pub const INK: &str = "#222222";
 pub const QUIET: &str = "#666666";
 /// Grids.
 pub const FAINT: &str = "#d4d4d4";
+/// Two of Okabe and Ito, for what stands against the rest.
+pub const BLUE: &str = "#0072b2";
+pub const VERMILION: &str = "#d55e00";
 
 /// Which part of a text stands at its position.
 #[derive(Clone, Copy)]
@@ -27,6 +31,18 @@ impl Anchor {
     }
 }
 
+/// The upper half of an image that looks the same upside down.
+pub struct HalfImage<'a> {
+    /// Levels from the first row to the middle one.
+    pub rows: &'a [Vec<usize>],
+    /// The colour of each level.
+    pub colours: &'a [String],
+    /// Left and top.
+    pub at: [f64; 2],
+    /// Side of a pixel.
+    pub pixel: f64,
+}
+
 /// SVG text under construction; y grows downwards.
 pub struct Canvas {
     width: f64,
@@ -37,9 +53,11 @@ pub struct Canvas {
 // Writing to a String cannot fail, so the results of `write!` are dropped.
 impl Canvas {
     pub fn new(width: f64, height: f64) -> Self {
+        // A sum of decimals may be a hair above its whole number.
+        let whole = |side: f64| (side - 1e-6).ceil();
         Self {
-            width: width.ceil(),
-            height: height.ceil(),
+            width: whole(width),
+            height: whole(height),
             body: String::new(),
         }
     }
@@ -90,11 +108,12 @@ impl Canvas {
         );
     }
 
-    /// A square's outline.
-    pub fn frame(&mut self, x: f64, y: f64, size: f64, colour: &str, width: f64) {
+    /// The outline of a rectangle.
+    pub fn frame(&mut self, x: f64, y: f64, size: [f64; 2], colour: &str, width: f64) {
         let _ = writeln!(
             self.body,
-            r#"<rect x="{x:.2}" y="{y:.2}" width="{size:.2}" height="{size:.2}" fill="none" stroke="{colour}" stroke-width="{width}"/>"#
+            r#"<rect x="{x:.2}" y="{y:.2}" width="{:.2}" height="{:.2}" fill="none" stroke="{colour}" stroke-width="{width}"/>"#,
+            size[0], size[1]
         );
     }
 
@@ -134,24 +153,93 @@ impl Canvas {
     /// length with round ends, which is a quarter of the bytes of circles.
     pub fn dots(&mut self, dots: impl Iterator<Item = (f64, f64, f64)>, diameter: f64) {
         const SHADES: usize = 24;
-        let mut paths = vec![String::new(); SHADES];
+        let mut shades = vec![Vec::new(); SHADES];
         for (x, y, shade) in dots {
             let index = ((shade * SHADES as f64) as usize).min(SHADES - 1);
-            let _ = write!(paths[index], "M{x:.2} {y:.2}h0");
+            shades[index].push((x, y));
         }
+        for (index, dots) in shades.iter().enumerate() {
+            let colour = ramp((index as f64 + 0.5) / SHADES as f64);
+            self.dots_of(dots.iter().copied(), diameter, &colour);
+        }
+    }
+
+    /// Dots of one colour.
+    pub fn dots_of(&mut self, dots: impl Iterator<Item = (f64, f64)>, diameter: f64, colour: &str) {
+        let mut path = String::new();
+        for (x, y) in dots {
+            let _ = write!(path, "M{x:.2} {y:.2}h0");
+        }
+        if !path.is_empty() {
+            let _ = writeln!(
+                self.body,
+                r#"<path d="{path}" fill="none" stroke="{colour}" stroke-width="{diameter:.2}" stroke-linecap="round"/>"#
+            );
+        }
+    }
+
+    /// A rectangle without an outline.
+    pub fn fill(&mut self, [x, y]: [f64; 2], size: [f64; 2], colour: &str) {
         let _ = writeln!(
             self.body,
-            r#"<g fill="none" stroke-linecap="round" stroke-width="{diameter:.2}">"#
+            r#"<rect x="{x:.2}" y="{y:.2}" width="{:.2}" height="{:.2}" fill="{colour}" shape-rendering="crispEdges"/>"#,
+            size[0], size[1]
         );
-        for (index, path) in paths
-            .iter()
-            .enumerate()
-            .filter(|(_, path)| !path.is_empty())
-        {
-            let colour = ramp((index as f64 + 0.5) / SHADES as f64);
-            let _ = writeln!(self.body, r#"<path d="{path}" stroke="{colour}"/>"#);
+    }
+
+    /// What `draw` draws within a rectangle, in coordinates of the page.
+    pub fn clipped(&mut self, area: Square, draw: impl FnOnce(&mut Self)) {
+        let Square {
+            left,
+            top,
+            width,
+            height,
+        } = area;
+        let place = format!("{left:.2} {top:.2} {width:.2} {height:.2}");
+        let _ = writeln!(
+            self.body,
+            r#"<svg x="{left:.2}" y="{top:.2}" width="{width:.2}" height="{height:.2}" viewBox="{place}">"#
+        );
+        draw(self);
+        self.body.push_str("</svg>\n");
+    }
+
+    /// An image of levels, of which the rows down to the middle one are given: the others
+    /// are these turned by 180 degrees. Level 0 stays white. A path per level, with a
+    /// stroke per run of pixels: for noise that is less than a compressed image in base 64.
+    pub fn half_turn_image(&mut self, image: &HalfImage<'_>) {
+        let HalfImage {
+            rows,
+            colours,
+            at: [x, y],
+            pixel,
+        } = *image;
+        let side = rows.first().map_or(0, Vec::len);
+        let id = self.body.len();
+        let _ = writeln!(
+            self.body,
+            r#"<g transform="translate({x:.2} {y:.2}) scale({pixel:.5})" fill="none" shape-rendering="crispEdges"><g id="half{id}">"#
+        );
+        for (level, colour) in colours.iter().enumerate().skip(1) {
+            let mut path = String::new();
+            for (row, levels) in rows.iter().enumerate() {
+                let mut column = 0;
+                for run in levels.chunk_by(|a, b| a == b) {
+                    if run[0] == level {
+                        let _ = write!(path, "M{column} {row}.5h{}", run.len());
+                    }
+                    column += run.len();
+                }
+            }
+            if !path.is_empty() {
+                let _ = writeln!(self.body, r#"<path d="{path}" stroke="{colour}"/>"#);
+            }
         }
-        self.body.push_str("</g>\n");
+        let middle = side as f64 / 2.0;
+        let _ = writeln!(
+            self.body,
+            r##"</g><use href="#half{id}" transform="rotate(180 {middle} {middle})"/></g>"##
+        );
     }
 
     pub fn finish(self) -> String {
@@ -166,11 +254,6 @@ impl Canvas {
              <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n"
         )
     }
-}
-
-/// About the width of a text in DejaVu Sans.
-pub fn text_width(text: &str, size: f64) -> f64 {
-    0.62 * size * text.chars().count() as f64
 }
 
 /// Dark blue to orange, of rising lightness.
@@ -190,7 +273,7 @@ fn ramp(shade: f64) -> String {
 }
 
 /// Text for XML, without the characters that XML cannot hold.
-fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
         match character {

@@ -1,5 +1,14 @@
 //! Figures are well formed, of the right size, and their text is drawn.
 
+#[path = "plot/boxes.rs"]
+mod boxes;
+#[path = "plot/gallery.rs"]
+mod gallery;
+#[path = "plot/shapes.rs"]
+mod shapes;
+#[path = "plot/sheet.rs"]
+mod sheet;
+
 use corput::Error;
 use corput::plot::{
     LinesStyle, MAX_POINTS, ScatterStyle, Series, error_lines, points_and_directions, scatter,
@@ -84,6 +93,17 @@ fn drawn(name: &str, svg: &str, size: [u32; 2]) -> Pixmap {
         "{name}"
     );
     pixels
+}
+
+/// Refused, in words that hold this part.
+fn refused<T>(result: corput::Result<T>, part: &str) {
+    match result {
+        Err(error @ Error::Arguments { .. }) => {
+            assert!(error.to_string().contains(part), "`{error}` lacks `{part}`");
+        }
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("not refused: {part}"),
+    }
 }
 
 #[test]
@@ -205,7 +225,7 @@ fn text_is_drawn() {
     };
     let (empty, missing) = (sign(" "), sign("\u{4e00}"));
     let mut seen = vec![empty, missing];
-    for character in "aZ09%ωφθπΣΩ°±·×−→↑∝≈≤≥√∞∫½¼¾⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂".chars()
+    for character in "aZ09%ωφθπΣΩ°±·×−→↑∝≈≤≥√∞∫½¼¾⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂₃₄₅₆₇₈₉…’".chars()
     {
         let ink = sign(&character.to_string());
         assert!(!seen.contains(&ink), "`{character}` is missing in the font");
@@ -226,15 +246,6 @@ fn markup_in_text_stays_text() {
 
 #[test]
 fn bad_input_is_refused() {
-    fn refused<T>(result: corput::Result<T>, part: &str) {
-        match result {
-            Err(error @ Error::Arguments { .. }) => {
-                assert!(error.to_string().contains(part), "`{error}` lacks `{part}`");
-            }
-            Err(other) => panic!("{other}"),
-            Ok(_) => panic!("not refused: {part}"),
-        }
-    }
     let plain = ScatterStyle::default();
     refused(
         scatter(&vec![[0.0; 2]; MAX_POINTS + 1], &plain),

@@ -8,6 +8,8 @@ mod devices;
 mod measure;
 #[path = "cli/parse.rs"]
 mod parse;
+#[path = "cli/plot.rs"]
+mod plot;
 #[path = "cli/refused.rs"]
 mod refused;
 #[cfg(unix)]
