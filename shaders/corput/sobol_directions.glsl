@@ -3,8 +3,9 @@
 //         projections, SIAM J. Sci. Comput. 30; generated from src/tables/sobol.rs.
 //         Their licence is in assets/sobol/README.md.
 // domain: dimensions 0 to 63, bits 0 to 31. range: fractions of 2^32; 0 past the table.
-// cost:   one lookup in a constant array; engines that need few dimensions name
-//         their numbers in CORPUT_SOBOL_DIRECTION instead.
+// cost:   one lookup in a constant array, which llvmpipe copies in every invocation:
+//         there, and wherever constants are not indexed in place, define
+//         CORPUT_SOBOL_DIRECTION by a buffer or, for few dimensions, by numbers.
 // hooks:  none.
 // mirror: src/reference/sobol_directions.rs
 #ifndef CORPUT_SOBOL_DIRECTIONS_GLSL
