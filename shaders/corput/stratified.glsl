@@ -18,19 +18,14 @@
 
 // A fraction of stratum `cell` among `strata` equal ones; `jitter` says where in it.
 uint corput_stratum(uint cell, uint strata, uint jitter) {
-    // The width 2^32 of one stratum has no uint.
-    if (strata == 1u) {
-        return jitter;
+    // The width 2^32 of one stratum has no uint; 2^32 strata hold one fraction each.
+    if (strata <= 1u) {
+        return strata == 1u ? jitter : cell;
     }
     CorputGridPoint lower = corput_hammersley_start(cell, strata);
-    CorputGridPoint step = CorputGridPoint(1u, 0u);
-    if (strata != 0u) {
-        step.fraction = 0xffffffffu / strata;
-        step.remainder = 0xffffffffu - step.fraction * strata + 1u;
-        if (step.remainder == strata) {
-            step = CorputGridPoint(step.fraction + 1u, 0u);
-        }
-    }
+    // 2^32 / strata. A remainder of `strata` in place of 0 carries in the step below.
+    uint quotient = 0xffffffffu / strata;
+    CorputGridPoint step = CorputGridPoint(quotient, 0xffffffffu - quotient * strata + 1u);
     uint first = corput_hammersley_value(lower);
     // The end of the last stratum is 2^32, of which 0 is left.
     uint end = corput_hammersley_value(corput_hammersley_next(lower, step, strata));

@@ -2,8 +2,13 @@
 
 mod column;
 mod irradiance;
+mod pairs;
 
 pub use irradiance::{RadianceMap, irradiance_sum, row_edges, sum_scale};
+pub use pairs::{
+    Columns, MAX_PAIR_DIMENSIONS, NearestWords, l2_from_sum, nearest_words, pair_kind_of,
+    pair_scale, pair_sum,
+};
 
 use crate::Result;
 use crate::catalog::{Engine, Map, Output, Profile, Request};

@@ -19,6 +19,10 @@ pub enum Kind {
     Grid,
     /// A unit vector, and a word.
     Direction,
+    /// k < N, and two words.
+    Strata,
+    /// n, any base, and a seed.
+    Digits,
 }
 
 /// A row of the catalogue.
@@ -90,6 +94,13 @@ const fn net(name: &'static str, header: &'static str, id: u32) -> Function {
     }
 }
 
+const fn domain(name: &'static str, header: &'static str, id: u32) -> Function {
+    Function {
+        kernel: "evaluate_domain",
+        ..integer(name, header, id, Kind::Words)
+    }
+}
+
 const fn frame(name: &'static str, id: u32, bound: f64) -> Function {
     Function {
         name,
@@ -100,6 +111,13 @@ const fn frame(name: &'static str, id: u32, bound: f64) -> Function {
         tier: Tier::Float,
         bound: Some(bound),
         unit: "2^-24",
+    }
+}
+
+const fn strata(name: &'static str, header: &'static str, id: u32, kind: Kind) -> Function {
+    Function {
+        kernel: "evaluate_strata",
+        ..integer(name, header, id, kind)
     }
 }
 
@@ -181,6 +199,54 @@ pub const FUNCTIONS: &[Function] = &[
     random("matrix_scramble", "owen", 11),
     net("sobol", "sobol", 0),
     net("pmj02", "pmj02", 1),
+    strata("permute", "permute", 0, Kind::Strata),
+    strata("stratum", "stratified", 1, Kind::Strata),
+    strata("unit_stratum", "stratified", 2, Kind::Strata),
+    strata("stratified", "stratified", 3, Kind::Strata),
+    strata("latin_hypercube", "stratified", 4, Kind::Strata),
+    strata("cmj", "stratified", 5, Kind::Words),
+    strata(
+        "radical_inverse_faure",
+        "scrambled_radical_inverse",
+        6,
+        Kind::Digits,
+    ),
+    strata(
+        "radical_inverse_permuted",
+        "scrambled_radical_inverse",
+        7,
+        Kind::Digits,
+    ),
+    strata(
+        "radical_inverse_owen",
+        "scrambled_radical_inverse",
+        8,
+        Kind::Digits,
+    ),
+    strata(
+        "radical_inverse_started",
+        "scrambled_radical_inverse",
+        9,
+        Kind::Digits,
+    ),
+    strata("halton_scrambled", "halton_scrambled", 10, Kind::Digits),
+    strata("lattice", "lattice", 11, Kind::Words),
+    strata("korobov", "lattice", 12, Kind::Strata),
+    strata("additive", "lattice", 13, Kind::Words),
+    domain("domain", "domain", 0),
+    domain("domain_child", "domain", 1),
+    domain("domain_chain", "domain", 2),
+    domain("draw_random", "domain_draw", 3),
+    domain("draw_random_fast", "domain_draw", 4),
+    domain("draw_pairs", "domain_draw", 5),
+    domain("draw_pmj02", "domain_draw", 6),
+    domain("draw_latin_hypercube", "domain_draw", 7),
+    domain("draw_cmj", "domain_draw", 8),
+    domain("draw_lattice", "domain_draw", 9),
+    domain("draw_additive", "domain_draw", 10),
+    domain("draw_sobol", "domain_sobol", 11),
+    domain("draw_sobol_owen", "domain_sobol", 12),
+    domain("draw_halton", "domain_halton", 13),
     frame("frame_tangent", 0, 4.0),
     frame("frame_bitangent", 1, 4.0),
     frame("frame_to_world", 2, 4.0),

@@ -2,7 +2,7 @@
 
 use super::inputs::arguments;
 use super::rows::{Row, Verdict};
-use super::{net, random};
+use super::{domain, net, random, strata};
 use crate::Result;
 use crate::catalog::Function;
 use crate::judge::{self, ulp_error};
@@ -177,6 +177,8 @@ fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
         // A name that is not of the catalogue is a mismatch everywhere.
         _ => random::reference(name, a)
             .or_else(|| net::reference(name, a))
+            .or_else(|| strata::reference(name, a))
+            .or_else(|| domain::reference(name, a))
             .unwrap_or([u32::MAX; 4]),
     }
 }

@@ -1,5 +1,6 @@
 //! Arguments to check functions with: every critical value, and random ones.
 
+use super::strata;
 use crate::catalog::Kind;
 use crate::reference::hemisphere;
 use crate::tables::PRIMES;
@@ -35,6 +36,8 @@ pub fn arguments(kind: Kind) -> Vec<[u32; 4]> {
         Kind::Radical => radical(),
         Kind::Grid => grid(),
         Kind::Direction => directions(),
+        Kind::Strata => strata::strata(),
+        Kind::Digits => strata::digits(),
     }
 }
 

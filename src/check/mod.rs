@@ -5,19 +5,23 @@
 //! judge finds it within what Vulkan's precision tables allow.
 
 mod cases;
+mod domain;
 mod functions;
 mod inputs;
 mod irradiance;
 mod native;
 mod native_points;
 mod net;
+mod pairs;
 mod points;
 mod random;
 mod rows;
+mod strata;
 
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};
 pub use native::{NATIVE, NativeRow, compare_native};
+pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
 pub use rows::{Row, Verdict};
 
@@ -111,6 +115,12 @@ pub fn run(
     }
     if wanted(&["irradiance", "envmap_texel", "envmap"]) {
         add(irradiance::check(device)?);
+    }
+    if wanted(&["pairs", "discrepancy"]) {
+        add(pairs::check_sums(device)?);
+    }
+    if wanted(&["nearest", "distance"]) {
+        add(pairs::check_nearest(device)?);
     }
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {

@@ -25,6 +25,8 @@ pub enum Command {
     Generate(GenerateArgs),
     /// Compare every kernel and function with the CPU reference on a device.
     Check(CheckArgs),
+    /// Say how good a set of points in [0, 1)^d is.
+    Measure(MeasureArgs),
     /// Write the GLSL headers as files.
     Headers(HeadersArgs),
     /// Make points and directions, check all of them, and light a real map.
@@ -118,6 +120,41 @@ pub struct CheckArgs {
     #[arg(long)]
     pub json: bool,
 }
+
+#[derive(Debug, Args)]
+#[command(after_help = CONVENTIONS)]
+pub struct MeasureArgs {
+    /// An .npy file, one point a row: f4 or f8 in [0, 1), or u4 as fractions of 2^32.
+    pub file: PathBuf,
+    /// Only these: star, l2-star, centred, wrap-around, mixture, modified-l2, t-value,
+    /// intervals, distance, projections, spectrum.
+    #[arg(long, value_delimiter = ',')]
+    pub only: Option<Vec<String>>,
+    /// Bases of the elementary intervals, one for each dimension, as 2,3 [default: 2 for
+    /// all].
+    #[arg(long, value_delimiter = ',', value_parser = whole, allow_hyphen_values = true)]
+    pub base: Option<Vec<u64>>,
+    /// Dimensions of the spectrum.
+    #[arg(long, value_delimiter = ',', value_parser = whole, allow_hyphen_values = true, default_value = "0,1")]
+    pub pair: Vec<u64>,
+    /// Also what takes long.
+    #[arg(long)]
+    pub all: bool,
+    /// Device for sums and searches over pairs of points, by index or part of its name
+    /// [default: the CPU].
+    #[arg(long)]
+    pub device: Option<String>,
+    /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
+}
+
+const CONVENTIONS: &str = "Conventions: l2-star is a square root; centred, wrap-around, \
+mixture and modified-l2 are squares, as SciPy has them (whose MD is mixture, not modified). \
+star is a supremum: exact for one and two dimensions, otherwise between two bounds. Of \
+projections the worst is that of the largest centred discrepancy. A device sums products in \
+fixed point; by how much any square may be off is in the JSON. The spectrum is 1 for white \
+noise, its anisotropy 0 dB.";
 
 #[derive(Debug, Args)]
 pub struct HeadersArgs {

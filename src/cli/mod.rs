@@ -9,6 +9,7 @@ mod generate;
 mod headers;
 mod host;
 mod interrupt;
+mod measure;
 mod plot;
 mod progress;
 
@@ -28,6 +29,7 @@ pub fn main() -> ExitCode {
         Command::Devices(args) => devices::run(args),
         Command::Generate(args) => generate::run(args),
         Command::Check(args) => check::run(args),
+        Command::Measure(args) => measure::run(args),
         Command::Headers(args) => headers::run(args),
         Command::Demo(args) => demo::run(args),
         Command::Bench(args) => bench::run(args),

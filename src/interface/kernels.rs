@@ -1,8 +1,8 @@
 //! The list of stock kernels.
 
 use super::{
-    Binding, Constant, Element, FAMILIES, Family, IrradiancePush, Kernel, Member, Profile,
-    PushConstants, WorkPush, map, output,
+    Binding, Constant, Element, FAMILIES, Family, IrradiancePush, Kernel, Member, PairsPush,
+    Profile, PushConstants, WorkPush, map, output, pair_kind,
 };
 
 const OUTPUT: Constant = Constant {
@@ -52,6 +52,19 @@ const PART: Constant = Constant {
     id: 8,
     name: "PART",
     default: 0,
+};
+
+/// Which discrepancy.
+const KIND: Constant = Constant {
+    id: 9,
+    name: "KIND",
+    default: pair_kind::CENTRED,
+};
+/// Whether distances are on the torus.
+const TOROIDAL: Constant = Constant {
+    id: 10,
+    name: "TOROIDAL",
+    default: 1,
 };
 
 const RESULTS: Binding = Binding {
@@ -187,12 +200,13 @@ const fn map_kernel(
 
 const fn evaluate(
     name: &'static str,
+    source: &'static str,
     defines: &'static [(&'static str, &'static str)],
     profile: Profile,
 ) -> Kernel {
     Kernel {
         name,
-        source: "evaluate.comp",
+        source,
         defines,
         local_size: 64,
         push: WORK,
@@ -203,7 +217,29 @@ const fn evaluate(
     }
 }
 
-/// The kernels that do not make points alone.
+const fn pairs(name: &'static str, source: &'static str, constants: &'static [Constant]) -> Kernel {
+    Kernel {
+        name,
+        source,
+        defines: &[],
+        local_size: 64,
+        push: PairsPush::MEMBERS,
+        bindings: &[
+            RESULTS,
+            Binding {
+                binding: 1,
+                name: "words",
+                element: Element::Uint,
+                input: true,
+            },
+        ],
+        constants,
+        columns: None,
+        profile: Profile::Integer,
+    }
+}
+
+/// The other kernels.
 const OTHERS: &[Kernel] = &[
     map_kernel("map", &[], Profile::Integer),
     map_kernel("map_native", &[("KERNEL_NATIVE", "1")], Profile::Native),
@@ -232,42 +268,8 @@ const OTHERS: &[Kernel] = &[
         columns: None,
         profile: Profile::Integer,
     },
-    evaluate("evaluate", &[], Profile::Integer),
-    evaluate(
-        "evaluate_portable",
-        &[("CORPUT_PORTABLE", "1")],
-        Profile::Integer,
-    ),
-    Kernel {
-        source: "evaluate_net.comp",
-        ..evaluate("evaluate_net", &[], Profile::Integer)
-    },
-    Kernel {
-        source: "evaluate_net.comp",
-        ..evaluate(
-            "evaluate_net_portable",
-            &[("CORPUT_PORTABLE", "1")],
-            Profile::Integer,
-        )
-    },
-    Kernel {
-        source: "evaluate_random.comp",
-        ..evaluate("evaluate_random", &[], Profile::Integer)
-    },
-    Kernel {
-        source: "evaluate_random.comp",
-        ..evaluate(
-            "evaluate_random_portable",
-            &[("CORPUT_PORTABLE", "1")],
-            Profile::Integer,
-        )
-    },
-    evaluate("evaluate_frame", &[("KERNEL_FRAME", "1")], Profile::Float),
-    evaluate(
-        "evaluate_native",
-        &[("KERNEL_NATIVE", "1")],
-        Profile::Native,
-    ),
+    pairs("pairs", "pairs.comp", &[KIND]),
+    pairs("nearest", "nearest.comp", &[TOROIDAL]),
     Kernel {
         name: "probe",
         source: "probe.comp",
@@ -294,17 +296,39 @@ const OTHERS: &[Kernel] = &[
     },
 ];
 
-const COUNT: usize = POINT_KERNELS * FAMILIES.len() + OTHERS.len();
+const PORTABLE: &[(&str, &str)] = &[("CORPUT_PORTABLE", "1")];
+
+/// The kernels that evaluate single functions, also with the portable forms of `fixed`.
+#[rustfmt::skip]
+const EVALUATORS: &[Kernel] = &[
+    evaluate("evaluate", "evaluate.comp", &[], Profile::Integer),
+    evaluate("evaluate_portable", "evaluate.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_frame", "evaluate.comp", &[("KERNEL_FRAME", "1")], Profile::Float),
+    evaluate("evaluate_native", "evaluate.comp", &[("KERNEL_NATIVE", "1")], Profile::Native),
+    evaluate("evaluate_domain", "evaluate_domain.comp", &[], Profile::Integer),
+    evaluate("evaluate_domain_portable", "evaluate_domain.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_net", "evaluate_net.comp", &[], Profile::Integer),
+    evaluate("evaluate_net_portable", "evaluate_net.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_random", "evaluate_random.comp", &[], Profile::Integer),
+    evaluate("evaluate_random_portable", "evaluate_random.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_strata", "evaluate_strata.comp", &[], Profile::Integer),
+    evaluate("evaluate_strata_portable", "evaluate_strata.comp", PORTABLE, Profile::Integer),
+];
+
+const MADE: usize = POINT_KERNELS * FAMILIES.len();
+
+const COUNT: usize = MADE + EVALUATORS.len() + OTHERS.len();
 
 const ALL: [Kernel; COUNT] = {
     let mut all = [points(); COUNT];
     let mut at = 0;
     while at < COUNT {
-        let (family, row) = (at / POINT_KERNELS, at % POINT_KERNELS);
-        all[at] = if family < FAMILIES.len() {
-            POINTS_OF[family][row]
+        all[at] = if at < MADE {
+            POINTS_OF[at / POINT_KERNELS][at % POINT_KERNELS]
+        } else if at < MADE + EVALUATORS.len() {
+            EVALUATORS[at - MADE]
         } else {
-            OTHERS[at - POINT_KERNELS * FAMILIES.len()]
+            OTHERS[at - MADE - EVALUATORS.len()]
         };
         at += 1;
     }

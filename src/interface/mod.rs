@@ -91,6 +91,26 @@ push_constants! {
     }
 }
 
+push_constants! {
+    /// Arguments of the kernels over pairs of points.
+    PairsPush {
+        /// First point of the invocations, one each.
+        first_row,
+        /// Invocations.
+        rows,
+        /// First of the other points.
+        first_other,
+        /// End of the other points.
+        end_other,
+        /// Points in all.
+        count,
+        /// Coordinates of a point.
+        dimensions,
+        /// Products are in units of 2^-scale.
+        scale,
+    }
+}
+
 /// What an std430 array holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
@@ -254,4 +274,18 @@ pub mod map {
     pub const COSINE_HEMISPHERE: u32 = 3;
     /// Hemisphere, cosine-weighted, polar.
     pub const COSINE_HEMISPHERE_POLAR: u32 = 4;
+}
+
+/// Values of the constant `KIND` of `pairs`.
+pub mod pair_kind {
+    /// L2-star.
+    pub const STAR: u32 = 0;
+    /// Centred.
+    pub const CENTRED: u32 = 1;
+    /// Wrap-around.
+    pub const WRAP_AROUND: u32 = 2;
+    /// Mixture.
+    pub const MIXTURE: u32 = 3;
+    /// Modified L2.
+    pub const MODIFIED: u32 = 4;
 }

@@ -23,7 +23,13 @@
 )]
 
 pub mod bits;
+pub mod discrepancy;
 pub mod disk;
+pub mod distance;
+pub mod domain;
+pub mod domain_draw;
+pub mod domain_halton;
+pub mod domain_sobol;
 pub mod elementary;
 pub mod envmap;
 pub mod fixed;

@@ -48,7 +48,7 @@ pub fn permute_round(mut x: u32, shift: u32, key: u32) -> u32 {
     x ^= key;
     // x (b + 2 a x) with odd b; each part of the key has bits of its own up to 2^8.
     x = x.wrapping_mul(
-        ((key >> 16) | (key << 16) | 1).wrapping_add(2u32.wrapping_mul(key >> 8).wrapping_mul(x)),
+        (key.rotate_left(16) | 1).wrapping_add(2u32.wrapping_mul(key >> 8).wrapping_mul(x)),
     );
     reverse_bits(x) >> shift
 }

@@ -19,25 +19,17 @@ use glam::{UVec2, uvec2};
 #[inline]
 #[must_use]
 pub fn stratum(cell: u32, strata: u32, jitter: u32) -> u32 {
-    // The width 2^32 of one stratum has no u32.
-    if strata == 1 {
-        return jitter;
+    // The width 2^32 of one stratum has no u32; 2^32 strata hold one fraction each.
+    if strata <= 1 {
+        return if strata == 1 { jitter } else { cell };
     }
     let lower = hammersley_start(cell, strata);
-    let mut step = GridPoint {
-        fraction: 1,
-        remainder: 0,
+    // 2^32 / strata. A remainder of `strata` in place of 0 carries in the step below.
+    let quotient = 0xffff_ffff / strata;
+    let step = GridPoint {
+        fraction: quotient,
+        remainder: 0xffff_ffff - quotient * strata + 1,
     };
-    if strata != 0 {
-        step.fraction = 0xffff_ffff / strata;
-        step.remainder = 0xffff_ffff - step.fraction * strata + 1;
-        if step.remainder == strata {
-            step = GridPoint {
-                fraction: step.fraction + 1,
-                remainder: 0,
-            };
-        }
-    }
     let first = hammersley_value(lower);
     // The end of the last stratum is 2^32, of which 0 is left.
     let end = hammersley_value(hammersley_next(lower, step, strata));

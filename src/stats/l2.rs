@@ -151,26 +151,58 @@ impl Kernel for Modified {
 /// # Errors
 /// Those of `progress`.
 pub fn l2_discrepancy(points: &Points, kind: L2, progress: Progress) -> Result<L2Value> {
-    let [mean, single, pairs] = match kind {
-        L2::Star => means::<Star>(points, progress),
-        L2::Centred => means::<Centred>(points, progress),
-        L2::WrapAround => means::<WrapAround>(points, progress),
-        L2::Mixture => means::<Mixture>(points, progress),
-        L2::Modified => means::<Modified>(points, progress),
+    let above = match kind {
+        L2::Star => triangle::<Star>(points, progress),
+        L2::Centred => triangle::<Centred>(points, progress),
+        L2::WrapAround => triangle::<WrapAround>(points, progress),
+        L2::Mixture => triangle::<Mixture>(points, progress),
+        L2::Modified => triangle::<Modified>(points, progress),
     }?;
+    Ok(l2_from_pairs(points, kind, above, 0.0))
+}
+
+/// The discrepancy from the sum of the products over all pairs i < j, which was made
+/// elsewhere, and of which each product may be off by `error`.
+#[must_use]
+pub fn l2_from_pairs(points: &Points, kind: L2, above: f64, error: f64) -> L2Value {
+    let [mean, single, diagonal] = match kind {
+        L2::Star => rest::<Star>(points),
+        L2::Centred => rest::<Centred>(points),
+        L2::WrapAround => rest::<WrapAround>(points),
+        L2::Mixture => rest::<Mixture>(points),
+        L2::Modified => rest::<Modified>(points),
+    };
+    let count = points.rows() as f64;
+    let pairs = (2.0 * above / count + diagonal) / count;
     let square = mean - single - single + pairs;
     // At most 6 roundings a factor, 8 in a block's sum, and a few at the end.
     let roundings = 6.0 * points.columns() as f64 + 16.0;
-    let square_error = roundings * 0.5 * f64::EPSILON * (mean + 2.0 * single + pairs);
+    let square_error = error + roundings * 0.5 * f64::EPSILON * (mean + 2.0 * single + pairs);
     let value = match kind {
         L2::Star => square.max(0.0).sqrt(),
         _ => square,
     };
-    Ok(L2Value {
+    L2Value {
         square,
         square_error,
         value,
-    })
+    }
+}
+
+/// The mean of K over both points and over one, and of its values at a point with itself.
+fn rest<K: Kernel>(points: &Points) -> [f64; 3] {
+    let count = points.rows() as f64;
+    let dimensions = i32::try_from(points.columns()).unwrap_or(i32::MAX);
+    let (mut single, mut diagonal) = (Sum::default(), Sum::default());
+    for point in points.iter() {
+        single.add(point.iter().map(|&x| K::single(x)).product());
+        diagonal.add(point.iter().map(|&x| K::pair(x, x)).product());
+    }
+    [
+        K::MEAN.powi(dimensions),
+        single.value() / count,
+        diagonal.value() / count,
+    ]
 }
 
 /// Points that are multiplied out at a time, and whose sum is a tree of 8 levels.
@@ -179,27 +211,8 @@ const LANES: usize = 256;
 /// Rows of a piece of work; the sum is of pieces, whoever works on them.
 const ROWS: usize = 64;
 
-/// The means of K over no, one and two points.
-fn means<K: Kernel>(points: &Points, progress: Progress) -> Result<[f64; 3]> {
-    let count = points.rows() as f64;
-    let dimensions = i32::try_from(points.columns()).unwrap_or(i32::MAX);
-    let mut single = Sum::default();
-    let mut diagonal = Sum::default();
-    for point in points.iter() {
-        single.add(point.iter().map(|&x| K::single(x)).product());
-        diagonal.add(point.iter().map(|&x| K::pair(x, x)).product());
-    }
-    let mut above = Sum::default();
-    for part in triangle::<K>(points, progress)? {
-        above.add(part.high);
-        above.add(part.low);
-    }
-    let pairs = 2.0 * above.value() / count / count + diagonal.value() / count / count;
-    Ok([K::MEAN.powi(dimensions), single.value() / count, pairs])
-}
-
-/// Sums of the products over i < j, by blocks of rows.
-fn triangle<K: Kernel>(points: &Points, progress: Progress) -> Result<Vec<Sum>> {
+/// The sum of the products over i < j, by blocks of rows.
+fn triangle<K: Kernel>(points: &Points, progress: Progress) -> Result<f64> {
     let rows = points.rows();
     let mut columns = vec![0.0; points.values().len()];
     for (i, point) in points.iter().enumerate() {
@@ -225,7 +238,12 @@ fn triangle<K: Kernel>(points: &Points, progress: Progress) -> Result<Vec<Sum>> 
         done += step.len();
         progress((done * ROWS).min(rows) as u64, rows as u64)?;
     }
-    Ok(sums)
+    let mut all = Sum::default();
+    for part in sums {
+        all.add(part.high);
+        all.add(part.low);
+    }
+    Ok(all.value())
 }
 
 fn piece<K: Kernel>(points: &Points, columns: &[f64], first: usize) -> Sum {

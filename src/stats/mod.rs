@@ -21,7 +21,7 @@ mod star;
 mod star_bounds;
 
 pub use distance::{Nearest, hexagonal_distance, nearest};
-pub use l2::{L2, L2_KINDS, L2Value, l2_discrepancy};
+pub use l2::{L2, L2_KINDS, L2Value, l2_discrepancy, l2_from_pairs};
 pub use net::{MAX_SHAPES, Shape, TValue, elementary_intervals, t_value};
 pub use points::{Points, Source};
 pub use projections::{Projection, projections};

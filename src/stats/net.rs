@@ -60,11 +60,13 @@ pub const MAX_SHAPES: usize = 1 << 16;
 ///
 /// # Errors
 /// [`crate::Error::Arguments`] for a number of bases other than that of coordinates, a base
-/// below 2, or more than [`MAX_SHAPES`] shapes; those of `progress`.
+/// below 2, more than [`MAX_SHAPES`] shapes, or more than `work` looks at a coordinate;
+/// those of `progress`, which counts shapes.
 pub fn elementary_intervals(
     points: &Points,
     bases: &[u32],
     full: bool,
+    work: u64,
     progress: Progress,
 ) -> Result<Vec<Shape>> {
     if bases.len() != points.columns() || bases.iter().any(|base| *base < 2) {
@@ -87,12 +89,20 @@ pub fn elementary_intervals(
         seen += 1;
         seen <= MAX_SHAPES
     });
+    let asked = || format!("shapes of {count} points in bases {bases:?}");
+    let remedy = "measure fewer points or coordinates";
     if seen > MAX_SHAPES {
-        return Err(refused(
-            format!("all shapes of {count} points in bases {bases:?}"),
-            format!("they are more than {MAX_SHAPES}"),
-            "measure fewer points or coordinates",
-        ));
+        let limit = format!("there are more shapes than {MAX_SHAPES}");
+        return Err(refused(asked(), limit, remedy));
+    }
+    let looks = (shapes.len() as u64).saturating_mul(points.values().len() as u64);
+    if looks > work {
+        let limit = format!(
+            "{} shapes of {} coordinates take more than {work} steps",
+            shapes.len(),
+            points.values().len()
+        );
+        return Err(refused(asked(), limit, remedy));
     }
     let total = shapes.len() as u64;
     let mut found = Vec::new();

@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &str); 2] = [
 ];
 
 /// Hooks: the header that needs it, the macro, a definition.
-const HOOKS: [(&str, &str, &str); 4] = [
+const HOOKS: [(&str, &str, &str); 6] = [
     (
         "corput/halton.glsl",
         "CORPUT_PRIME",
@@ -27,6 +27,16 @@ const HOOKS: [(&str, &str, &str); 4] = [
     ),
     (
         "corput/halton_scrambled.glsl",
+        "CORPUT_PRIME",
+        "#define CORPUT_PRIME(d) (2u + (d))\n",
+    ),
+    (
+        "corput/domain_sobol.glsl",
+        "CORPUT_SOBOL_DIRECTION",
+        "#define CORPUT_SOBOL_DIRECTION(d, b) ((d) ^ (b))\n",
+    ),
+    (
+        "corput/domain_halton.glsl",
         "CORPUT_PRIME",
         "#define CORPUT_PRIME(d) (2u + (d))\n",
     ),

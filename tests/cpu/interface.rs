@@ -6,7 +6,8 @@ mod facts;
 mod source;
 
 use corput::interface::{
-    Element, Family, IrradiancePush, KERNELS, PushConstants, WorkPush, column_kind, map, output,
+    Element, Family, IrradiancePush, KERNELS, PairsPush, PushConstants, WorkPush, column_kind, map,
+    output,
 };
 use corput::kernels::spirv;
 use facts::{constants, promised, reflected};
@@ -134,6 +135,7 @@ fn structs_have_the_size_of_their_blocks() {
     }
     check::<WorkPush>(&WorkPush::default().bytes());
     check::<IrradiancePush>(&IrradiancePush::default().bytes());
+    check::<PairsPush>(&PairsPush::default().bytes());
     let push = WorkPush {
         first: 1,
         invocations: 2,
@@ -161,6 +163,7 @@ fn shaders_repeat_the_right_numbers() {
         .collect();
     assert_eq!(kinds, table("column_kind"));
     assert_eq!(numbers(&text("map.glsl")), table("map"));
+    assert_eq!(numbers(&text("pairs.comp")), table("pair_kind"));
     // The reader of src/interface reads what the compiler reads.
     assert!(table("column_kind").contains(&("RADICAL".to_owned(), column_kind::RADICAL)));
     assert!(table("map").contains(&(
@@ -169,7 +172,7 @@ fn shaders_repeat_the_right_numbers() {
     )));
     // No other shader has numbers of its own at file level.
     for name in &kernels {
-        let known = columns.contains(&name) || name == "map.glsl";
+        let known = columns.contains(&name) || ["map.glsl", "pairs.comp"].contains(&name.as_str());
         assert!(known || numbers(&text(name)).is_empty(), "{name}");
     }
     let fractions = format!("if (kind_of_output == {}u)", output::FRACTIONS);

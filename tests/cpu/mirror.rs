@@ -28,6 +28,15 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
     ),
     // CORPUT_SOBOL_DIRECTION(dimension, bit) reads what the twin gets as an array.
     ("sobol", &[("u32", "n"), ("&[u32]", "directions")]),
+    (
+        "draw_sobol",
+        &[("Domain", "domain"), ("&[u32]", "directions")],
+    ),
+    (
+        "draw_sobol_owen",
+        &[("Domain", "domain"), ("&[u32]", "directions")],
+    ),
+    ("draw_halton", &[("Domain", "domain"), ("UVec4", "primes")]),
     // CORPUT_ENVMAP_EDGE(i) reads what the twin gets as a slice.
     (
         "envmap_texel",

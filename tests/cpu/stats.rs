@@ -6,6 +6,8 @@ mod distance;
 mod l2;
 #[path = "stats/net.rs"]
 mod net;
+#[path = "stats/pairs.rs"]
+mod pairs;
 #[path = "stats/spectrum.rs"]
 mod spectrum;
 #[path = "stats/star.rs"]

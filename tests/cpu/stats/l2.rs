@@ -13,7 +13,7 @@ fn points(columns: usize, values: &[f64]) -> Points {
 }
 
 /// The sets of the vector file.
-fn vectors() -> Vec<(Value, Points)> {
+pub fn vectors() -> Vec<(Value, Points)> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/discrepancy.json");
     let text = std::fs::read_to_string(path).unwrap();
     let rows: Vec<Value> = serde_json::from_str(&text).unwrap();

@@ -71,7 +71,7 @@ fn hammersley_is_a_perfect_net_until_it_is_harmed() {
             t_value(&net, u64::MAX, &mut unseen).unwrap().exact(),
             Some(0)
         );
-        let shapes = elementary_intervals(&net, &[2, 2], true, &mut unseen).unwrap();
+        let shapes = elementary_intervals(&net, &[2, 2], true, u64::MAX, &mut unseen).unwrap();
         assert_eq!(shapes.len(), m as usize + 1);
         assert!(
             shapes
@@ -83,7 +83,7 @@ fn hammersley_is_a_perfect_net_until_it_is_harmed() {
         (values[0], values[1]) = (values[2], values[3]);
         let harmed = Points::new(2, values, net.source()).unwrap();
         assert!(t_value(&harmed, u64::MAX, &mut unseen).unwrap().exact() > Some(0));
-        let shapes = elementary_intervals(&harmed, &[2, 2], true, &mut unseen).unwrap();
+        let shapes = elementary_intervals(&harmed, &[2, 2], true, u64::MAX, &mut unseen).unwrap();
         assert!(
             shapes
                 .iter()
@@ -97,7 +97,8 @@ fn hammersley_is_a_perfect_net_until_it_is_harmed() {
 #[test]
 fn halton_is_fair_in_its_own_bases() {
     for n in [1, 6, 100, 216, 1000, 1296] {
-        let shapes = elementary_intervals(&halton(n, 2), &[2, 3], false, &mut unseen).unwrap();
+        let shapes =
+            elementary_intervals(&halton(n, 2), &[2, 3], false, u64::MAX, &mut unseen).unwrap();
         assert!(shapes.iter().all(|s| s.is_fair()), "{n}");
         let product = |s: &corput::stats::Shape| 2u64.pow(s.digits[0]) * 3u64.pow(s.digits[1]);
         assert!(
@@ -108,9 +109,10 @@ fn halton_is_fair_in_its_own_bases() {
         let most = shapes.iter().map(|s| s.cells).max();
         assert!(most.is_some_and(|most| 2 * most > u64::from(n)));
     }
-    let others = elementary_intervals(&halton(1296, 2), &[3, 2], false, &mut unseen).unwrap();
+    let others =
+        elementary_intervals(&halton(1296, 2), &[3, 2], false, u64::MAX, &mut unseen).unwrap();
     assert!(others.iter().any(|s| !s.is_fair()));
-    let full = elementary_intervals(&halton(216, 2), &[2, 3], true, &mut unseen).unwrap();
+    let full = elementary_intervals(&halton(216, 2), &[2, 3], true, u64::MAX, &mut unseen).unwrap();
     assert_eq!(
         full.iter().map(|s| s.digits.clone()).collect::<Vec<_>>(),
         [[3, 3]]
@@ -138,7 +140,7 @@ fn cells_of_odd_bases_are_cut_exactly() {
         };
         let shape = |values: Vec<f64>| {
             let points = Points::new(1, values, corput::stats::Source::F64).unwrap();
-            elementary_intervals(&points, &[3], true, &mut unseen)
+            elementary_intervals(&points, &[3], true, u64::MAX, &mut unseen)
                 .unwrap()
                 .remove(0)
         };
@@ -190,15 +192,21 @@ fn what_cannot_be_counted_is_refused() {
     let points = halton(100, 2);
     assert!(t_value(&points, u64::MAX, &mut unseen).is_err());
     for bases in [&[2][..], &[2, 1], &[2, 0], &[2, 3, 5]] {
-        assert!(elementary_intervals(&points, bases, false, &mut unseen).is_err());
+        assert!(elementary_intervals(&points, bases, false, u64::MAX, &mut unseen).is_err());
     }
     let wide = Random(1).points(1 << 10, 30);
-    let error = elementary_intervals(&wide, &[2; 30], true, &mut unseen).unwrap_err();
+    let error = elementary_intervals(&wide, &[2; 30], true, u64::MAX, &mut unseen).unwrap_err();
     assert!(
         error.to_string().contains(&MAX_SHAPES.to_string()),
         "{error}"
     );
+    let error = elementary_intervals(&points, &[2, 2], false, 5599, &mut unseen).unwrap_err();
+    assert!(
+        error.to_string().contains("more than 5599 steps"),
+        "{error}"
+    );
     // A base that no digit of fits is a shape of one cell.
-    let shapes = elementary_intervals(&points, &[u32::MAX, 101], false, &mut unseen).unwrap();
+    let shapes =
+        elementary_intervals(&points, &[u32::MAX, 101], false, u64::MAX, &mut unseen).unwrap();
     assert_eq!(shapes.len(), 1);
 }

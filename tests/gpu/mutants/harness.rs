@@ -3,10 +3,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use corput::bulk::{Columns, NearestWords, pair_kind_of};
 use corput::catalog::{Engine, FUNCTIONS, Function, Options, Output, Request};
 use corput::check::{self, Case, NATIVE, Row, arguments};
 use corput::interface::Kernel;
-use corput::kernels::{Evaluator, Generator, kernel};
+use corput::kernels::{Evaluator, Generator, Pairs, kernel};
 use corput::variant::{Plan, Work, general, plan};
 use corput::vulkan::{Device, DeviceKind};
 use corput::{compile, headers};
@@ -61,6 +62,10 @@ pub enum Target {
     Generate(fn() -> Options),
     /// Points by the kernel that the request gets: a tile, or fused with a map.
     Tile(fn() -> Options),
+    /// Sums over pairs of points.
+    Pairs,
+    /// The nearest pair.
+    Nearest,
 }
 
 /// How a module fared.
@@ -88,6 +93,18 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
             Evaluator::with_module(device, "evaluate_native", row.id, &words)
                 .and_then(|evaluator| check::compare_native(&evaluator, row, &arguments(row.kind)))
         }
+        Target::Pairs => check::compare_pair_sums(&mut |kind, columns, scale| {
+            let kind = pair_kind_of(kind);
+            pairs(device, "pairs", columns, kind, &words)?.sum(scale, &mut |_, _| Ok(()))
+        }),
+        Target::Nearest => check::compare_nearest(&mut |columns, toroidal| {
+            let mut best = None;
+            pairs(device, "nearest", columns, u32::from(toroidal), &words)?.search(
+                &mut |row, square, other| NearestWords::keep(&mut best, row, square, other),
+                &mut |_, _| Ok(()),
+            )?;
+            Ok(best)
+        }),
         Target::Generate(options) | Target::Tile(options) => {
             let case = Case {
                 name: "points".into(),
@@ -119,6 +136,8 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         Target::Function(name) => named(function_row(name).kernel),
         Target::Portable(_) => named("evaluate_portable"),
         Target::Native(_) => named("evaluate_native"),
+        Target::Pairs => named("pairs"),
+        Target::Nearest => named("nearest"),
         Target::Generate(options) | Target::Tile(options) => {
             planned(device, target, &request(options)).kernel
         }
@@ -154,6 +173,17 @@ fn function(device: &Arc<Device>, name: &str, kernel: &str, words: &[u32]) -> co
     let row = function_row(name);
     let evaluator = Evaluator::with_module(device, kernel, row.id, words)?;
     check::compare_function(&evaluator, row, kernel, &arguments(row.kind))
+}
+
+fn pairs(
+    device: &Arc<Device>,
+    kernel: &str,
+    columns: &Columns,
+    choice: u32,
+    words: &[u32],
+) -> corput::Result<Pairs> {
+    let dimensions = columns.dimensions();
+    Pairs::with_module(device, kernel, columns.words(), dimensions, choice, words)
 }
 
 fn function_row(name: &str) -> &'static Function {
