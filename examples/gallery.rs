@@ -68,7 +68,7 @@ fn rows() -> Vec<Row> {
         (
             "Sobol",
             plain(Sequence::Sobol),
-            "as many points in each dyadic cell of a size",
+            "equally many points in all dyadic cells of a size",
         ),
         (
             "Sobol, Owen-scrambled",

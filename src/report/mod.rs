@@ -43,15 +43,25 @@ use std::path::Path;
 ///
 /// [`Error::Output`] if it cannot be created, [`Error::Io`] if it cannot be written.
 pub fn save(path: &Path, bytes: &[u8]) -> Result<()> {
+    save_with(path, || Ok(bytes))
+}
+
+/// As [`save`], for bytes that take time to make: a path that cannot be written is
+/// refused before.
+///
+/// # Errors
+///
+/// As [`save`], and those of `make`, after which nothing is left.
+pub fn save_with<B: AsRef<[u8]>>(path: &Path, make: impl FnOnce() -> Result<B>) -> Result<()> {
     // Only standard output asks for the format.
     match Place::open(&Target::File(path.to_owned()), Format::Csv)?.0 {
         Place::Aside(mut aside) => {
-            aside.fill(bytes)?;
+            aside.fill(make()?.as_ref())?;
             aside.sync()?;
             aside.commit()
         }
         mut place => place
-            .write_all(bytes)
+            .write_all(make()?.as_ref())
             .map_err(|source| failed("write", path, source)),
     }
 }
