@@ -29,6 +29,7 @@
 
 #[cfg(feature = "gpu")]
 pub mod bench;
+pub mod blue_noise;
 pub mod bulk;
 pub mod catalog;
 #[cfg(feature = "gpu")]

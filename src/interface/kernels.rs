@@ -1,8 +1,8 @@
 //! The list of stock kernels.
 
 use super::{
-    Binding, Constant, Element, IrradiancePush, Kernel, Member, Profile, PushConstants, WorkPush,
-    map, output,
+    Binding, Constant, Element, IrradiancePush, Kernel, MaskPush, Member, Profile, PushConstants,
+    WorkPush, map, output,
 };
 
 macro_rules! columns {
@@ -256,6 +256,41 @@ pub const KERNELS: &[Kernel] = &[
         &[("KERNEL_NATIVE", "1")],
         Profile::Native,
     ),
+    Kernel {
+        name: "void_and_cluster",
+        source: "void_and_cluster.comp",
+        defines: &[],
+        local_size: 128,
+        push: MaskPush::MEMBERS,
+        bindings: &[
+            Binding {
+                binding: 0,
+                name: "words",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 1,
+                name: "ranks",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 2,
+                name: "state",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 3,
+                name: "energies",
+                element: Element::Uint,
+                input: true,
+            },
+        ],
+        constants: &[],
+        profile: Profile::Integer,
+    },
     Kernel {
         name: "probe",
         source: "probe.comp",

@@ -4,11 +4,13 @@ mod evaluator;
 mod generator;
 mod irradiance;
 mod mapper;
+mod void_and_cluster;
 
 pub use evaluator::Evaluator;
 pub use generator::Generator;
 pub use irradiance::{IrradianceSum, Irradiator};
 pub use mapper::Mapper;
+pub use void_and_cluster::VoidAndCluster;
 
 use crate::interface::{KERNELS, Kernel};
 use crate::vulkan::{Device, Pipeline, PipelineDescription, Probe};

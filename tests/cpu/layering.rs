@@ -14,6 +14,7 @@ const LEVELS: [&[&str]; 7] = [
     &[
         "reference",
         "judge",
+        "blue_noise",
         "irradiance",
         "spirv",
         "vulkan",
