@@ -1,8 +1,8 @@
 //! Blue-noise points by weighted sample elimination.
 //!
 //! Source: Yuksel 2015, Sample elimination for generating Poisson disk sample sets,
-//! Computer Graphics Forum 34(2), with the weights of its section 3 and the progressive
-//! order of its section 4.
+//! Computer Graphics Forum 34(2): its weights with weight limiting, and its progressive
+//! order by eliminating again and again.
 
 use super::random::word;
 use crate::{Error, Result};
@@ -15,7 +15,53 @@ pub const MAX_POINTS: u64 = 1 << 16;
 /// Random points that one point of the result is chosen from.
 const CANDIDATES: usize = 10;
 
-/// `count` points on the torus, as fractions of 2^32: no two nearer than 0.7 of
+/// `count` points on the torus, as fractions of 2^32, in an order whose prefixes are well
+/// spread too.
+///
+/// The least distance of two is about 0.73 of sqrt(2 / (sqrt(3) count)), that of the
+/// points of a hexagonal lattice, and about 0.6 for a prefix: measured, not guaranteed.
+///
+/// # Errors
+/// [`Error::ZeroCount`], or [`Error::Arguments`] above [`MAX_POINTS`].
+pub fn blue_noise_points(count: u64, seed: u64) -> Result<Vec<[u32; 2]>> {
+    check_count(count)?;
+    let count = count as usize;
+    let candidates = (0..(CANDIDATES * count) as u64).map(|i| {
+        let word = word(seed, i);
+        [word as u32, (word >> 32) as u32]
+    });
+    let candidates: Vec<[u32; 2]> = candidates.collect();
+    let (mut kept, _) = eliminate(&candidates, count, true);
+    // Halved again and again: what goes first is last in the order.
+    let mut order = Vec::with_capacity(count);
+    while kept.len() > 1 {
+        let (stay, gone) = eliminate(&kept, kept.len() / 2, false);
+        order.extend(gone);
+        kept = stay;
+    }
+    order.extend(kept);
+    order.reverse();
+    Ok(order)
+}
+
+/// Whether so many points can be made.
+///
+/// # Errors
+/// [`Error::ZeroCount`], or [`Error::Arguments`] above [`MAX_POINTS`].
+pub fn check_count(count: u64) -> Result<()> {
+    if count == 0 {
+        return Err(Error::ZeroCount { what: "--count" });
+    }
+    if count > MAX_POINTS {
+        return Err(Error::Arguments {
+            asked: format!("{count} points of blue noise"),
+            limit: format!("elimination takes at most {MAX_POINTS}, made all at once"),
+            remedy: "ask for fewer, or use a sequence such as sobol or r2".into(),
+        });
+    }
+    Ok(())
+}
+
 /// Takes away the point that others crowd most until `target` are left: those, and the
 /// others in the order in which they went.
 fn eliminate(points: &[[u32; 2]], target: usize, limited: bool) -> (Vec<[u32; 2]>, Vec<[u32; 2]>) {
@@ -48,41 +94,6 @@ fn eliminate(points: &[[u32; 2]], target: usize, limited: bool) -> (Vec<[u32; 2]
     }
     let kept = points.iter().zip(stays).filter(|(_, stays)| *stays);
     (kept.map(|(point, _)| *point).collect(), gone)
-}
-
-/// sqrt(2 / (sqrt(3) count)), the distance of the points of a hexagonal lattice, and
-/// each prefix well spread.
-///
-/// # Errors
-/// [`Error::ZeroCount`], or [`Error::Arguments`] above [`MAX_POINTS`].
-pub fn blue_noise_points(count: u64, seed: u64) -> Result<Vec<[u32; 2]>> {
-    if count == 0 {
-        return Err(Error::ZeroCount { what: "--count" });
-    }
-    if count > MAX_POINTS {
-        return Err(Error::Arguments {
-            asked: format!("{count} points of blue noise"),
-            limit: format!("elimination takes at most {MAX_POINTS}, made all at once"),
-            remedy: "ask for fewer, or use a sequence such as sobol or r2".into(),
-        });
-    }
-    let count = count as usize;
-    let candidates = (0..(CANDIDATES * count) as u64).map(|i| {
-        let word = word(seed, i);
-        [word as u32, (word >> 32) as u32]
-    });
-    let candidates: Vec<[u32; 2]> = candidates.collect();
-    let (mut kept, _) = eliminate(&candidates, count, true);
-    // Halved again and again: what goes first is last in the order.
-    let mut order = Vec::with_capacity(count);
-    while kept.len() > 1 {
-        let (stay, gone) = eliminate(&kept, kept.len() / 2, false);
-        order.extend(gone);
-        kept = stay;
-    }
-    order.extend(kept);
-    order.reverse();
-    Ok(order)
 }
 
 /// sqrt(2 / (sqrt(3) count)), the least distance of `count` points in a hexagonal

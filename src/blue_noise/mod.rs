@@ -9,7 +9,7 @@ mod mask;
 mod random;
 mod void_and_cluster;
 
-pub use elimination::{MAX_POINTS, blue_noise_points};
+pub use elimination::{MAX_POINTS, blue_noise_points, check_count};
 pub use energy::energies;
 pub use mask::MaskShape;
 pub use void_and_cluster::{scattered_words, void_and_cluster};

@@ -2,8 +2,10 @@
 
 use crate::Result;
 mod irradiance;
+mod stored;
 
 pub use irradiance::{RadianceMap, irradiance_sum, row_edges, sum_scale};
+pub use stored::Stored;
 
 use crate::catalog::{Engine, Map, Output, Profile, Request};
 use crate::interface::{Column, map};

@@ -89,6 +89,13 @@ const fn frame(name: &'static str, id: u32, bound: f64) -> Function {
     }
 }
 
+const fn blue_noise(name: &'static str, header: &'static str, id: u32) -> Function {
+    Function {
+        kernel: "evaluate_blue_noise",
+        ..integer(name, header, id, Kind::Words)
+    }
+}
+
 /// Every function of the exact profile.
 ///
 /// Bounds of inverses are against the exact inverse of the given floats: the concentric
@@ -153,6 +160,9 @@ pub const FUNCTIONS: &[Function] = &[
         4.0,
         "2^-32",
     ),
+    blue_noise("blue_noise", "blue_noise", 0),
+    blue_noise("blue_noise_shift", "blue_noise", 1),
+    blue_noise("screen_space", "screen_space", 2),
     frame("frame_tangent", 0, 4.0),
     frame("frame_bitangent", 1, 4.0),
     frame("frame_to_world", 2, 4.0),

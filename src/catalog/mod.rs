@@ -7,7 +7,7 @@ mod sequence;
 
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use map::{MAPS, Map};
-pub use request::{Engine, Options, Output, Request};
+pub use request::{Engine, Options, Output, Request, check_map};
 pub use sequence::{SEQUENCES, Sequence};
 
 /// Where bits are promised to be the same.

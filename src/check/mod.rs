@@ -4,6 +4,7 @@
 //! the judge finds the error within its bound; a row of the native profile when the
 //! judge finds it within what Vulkan's precision tables allow.
 
+mod blue_noise;
 mod functions;
 mod inputs;
 mod irradiance;
@@ -12,6 +13,7 @@ mod native_points;
 mod points;
 mod rows;
 
+pub use blue_noise::compare_mask;
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};
 pub use native::{NATIVE, NativeRow, compare_native};
@@ -108,6 +110,9 @@ pub fn run(
     }
     if wanted(&["irradiance", "envmap_texel", "envmap"]) {
         add(irradiance::check(device)?);
+    }
+    if wanted(&["blue_noise_mask", "void_and_cluster"]) {
+        add(blue_noise::check(device)?);
     }
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {

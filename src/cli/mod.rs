@@ -9,6 +9,8 @@ mod generate;
 mod headers;
 mod host;
 mod interrupt;
+mod mask;
+mod points;
 mod progress;
 
 use args::{Cli, Command};

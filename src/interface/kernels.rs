@@ -250,6 +250,18 @@ pub const KERNELS: &[Kernel] = &[
         &[("CORPUT_PORTABLE", "1")],
         Profile::Integer,
     ),
+    Kernel {
+        source: "evaluate_blue_noise.comp",
+        ..evaluate("evaluate_blue_noise", &[], Profile::Integer)
+    },
+    Kernel {
+        source: "evaluate_blue_noise.comp",
+        ..evaluate(
+            "evaluate_blue_noise_portable",
+            &[("CORPUT_PORTABLE", "1")],
+            Profile::Integer,
+        )
+    },
     evaluate("evaluate_frame", &[("KERNEL_FRAME", "1")], Profile::Float),
     evaluate(
         "evaluate_native",

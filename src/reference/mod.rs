@@ -23,6 +23,7 @@
 )]
 
 pub mod bits;
+pub mod blue_noise;
 pub mod disk;
 pub mod elementary;
 pub mod envmap;
@@ -35,4 +36,5 @@ pub mod native;
 pub mod odometer;
 pub mod primes;
 pub mod radical_inverse;
+pub mod screen_space;
 pub mod unit;

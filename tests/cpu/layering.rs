@@ -20,7 +20,9 @@ const LEVELS: [&[&str]; 7] = [
         "vulkan",
         "stats",
     ],
-    &["catalog", "variant", "report", "image", "plot", "compile"],
+    &[
+        "catalog", "variant", "report", "image", "picture", "plot", "compile",
+    ],
     &["kernels", "bulk"],
     &["check"],
     &["bench", "demo", "converge"],

@@ -13,6 +13,24 @@ use std::collections::BTreeSet;
 const HOOKS: &[(&str, &[(&str, &str)])] = &[
     // CORPUT_PRIME(dimension) is called by the shader, by the caller of the twin.
     ("halton", &[("u32", "n"), ("u32", "prime")]),
+    // CORPUT_BLUE_NOISE(x, y) reads what the twins get as a slice.
+    (
+        "blue_noise_rank",
+        &[("UVec2", "pixel"), ("UVec2", "size"), ("&[u32]", "ranks")],
+    ),
+    (
+        "blue_noise",
+        &[("UVec2", "pixel"), ("UVec2", "size"), ("&[u32]", "ranks")],
+    ),
+    (
+        "blue_noise_frame",
+        &[
+            ("UVec2", "pixel"),
+            ("u32", "frame"),
+            ("UVec3", "size"),
+            ("&[u32]", "ranks"),
+        ],
+    ),
     // CORPUT_ENVMAP_EDGE(i) reads what the twin gets as a slice.
     (
         "envmap_texel",

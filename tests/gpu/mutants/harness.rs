@@ -6,7 +6,7 @@ use std::sync::Arc;
 use corput::catalog::{Engine, FUNCTIONS, Function, Options, Output, Request};
 use corput::check::{self, Case, NATIVE, Row, arguments};
 use corput::interface::Kernel;
-use corput::kernels::{Evaluator, Generator, kernel};
+use corput::kernels::{Evaluator, Generator, VoidAndCluster, kernel};
 use corput::variant::{Plan, Work, general, plan};
 use corput::vulkan::{Device, DeviceKind};
 use corput::{compile, headers};
@@ -57,6 +57,8 @@ pub enum Target {
     Portable(&'static str),
     /// A native function, which only the judge knows.
     Native(&'static str),
+    /// Dither masks.
+    Mask,
     /// Points by the general kernel.
     Generate(fn() -> Options),
     /// Points by the kernel that the request gets: a tile, or fused with a map.
@@ -88,6 +90,8 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
             Evaluator::with_module(device, "evaluate_native", row.id, &words)
                 .and_then(|evaluator| check::compare_native(&evaluator, row, &arguments(row.kind)))
         }
+        Target::Mask => VoidAndCluster::with_module(device, &words)
+            .and_then(|kernel| check::compare_mask(&kernel)),
         Target::Generate(options) | Target::Tile(options) => {
             let case = Case {
                 name: "points".into(),
@@ -119,6 +123,7 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         Target::Function(name) => named(function_row(name).kernel),
         Target::Portable(_) => named("evaluate_portable"),
         Target::Native(_) => named("evaluate_native"),
+        Target::Mask => named("void_and_cluster"),
         Target::Generate(options) | Target::Tile(options) => {
             planned(device, target, &request(options)).kernel
         }
