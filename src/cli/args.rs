@@ -47,11 +47,21 @@ pub struct DevicesArgs {
 #[derive(Debug, Args)]
 pub struct GenerateArgs {
     /// random, random-fast, pcg32, stratified, latin-hypercube, cmj, vdc, halton, hammersley,
-    /// sobol, pmj02, lattice, korobov or r2.
+    /// sobol, pmj02, lattice, korobov, r2, blue-noise or blue-noise-mask.
     pub sequence: String,
-    /// Points to make: 1 to 2^32.
+    /// Points to make: 1 to 2^32; of blue-noise to 65536.
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
-    pub count: u64,
+    pub count: Option<u64>,
+    /// blue-noise-mask: pixels along a side, 4 to 256.
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub size: Option<u64>,
+    /// blue-noise-mask: values of a pixel, 1 or 2 [default: 1].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub channels: Option<u64>,
+    /// blue-noise-mask: frames of a mask over time, 1 to 16; size x size x frames is at
+    /// most 65536 [default: 1].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub frames: Option<u64>,
     /// Index of the first point.
     #[arg(long, default_value = "0", value_parser = whole, allow_hyphen_values = true)]
     pub first: u64,
@@ -100,7 +110,7 @@ pub struct GenerateArgs {
     /// Device by index or part of its name, or cpu for the reference.
     #[arg(long)]
     pub device: Option<String>,
-    /// npy, raw or csv [default: from the file's ending; npy on standard output].
+    /// npy, raw or csv; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
     #[arg(long)]
     pub format: Option<String>,
     /// The file; - is standard output.

@@ -9,8 +9,10 @@ mod generate;
 mod headers;
 mod host;
 mod interrupt;
+mod mask;
 mod measure;
 mod plot;
+mod points;
 mod progress;
 
 use args::{Cli, Command};

@@ -1,8 +1,8 @@
 //! The list of stock kernels.
 
 use super::{
-    Binding, Constant, Element, FAMILIES, Family, IrradiancePush, Kernel, Member, PairsPush,
-    Profile, PushConstants, WorkPush, map, output, pair_kind,
+    Binding, Constant, Element, FAMILIES, Family, IrradiancePush, Kernel, MaskPush, Member,
+    PairsPush, Profile, PushConstants, WorkPush, map, output, pair_kind,
 };
 
 const OUTPUT: Constant = Constant {
@@ -271,6 +271,42 @@ const OTHERS: &[Kernel] = &[
     pairs("pairs", "pairs.comp", &[KIND]),
     pairs("nearest", "nearest.comp", &[TOROIDAL]),
     Kernel {
+        name: "void_and_cluster",
+        source: "void_and_cluster.comp",
+        defines: &[],
+        local_size: 128,
+        push: MaskPush::MEMBERS,
+        bindings: &[
+            Binding {
+                binding: 0,
+                name: "words",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 1,
+                name: "ranks",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 2,
+                name: "state",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 3,
+                name: "energies",
+                element: Element::Uint,
+                input: true,
+            },
+        ],
+        constants: &[],
+        columns: None,
+        profile: Profile::Integer,
+    },
+    Kernel {
         name: "probe",
         source: "probe.comp",
         defines: &[],
@@ -305,6 +341,8 @@ const EVALUATORS: &[Kernel] = &[
     evaluate("evaluate_portable", "evaluate.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_frame", "evaluate.comp", &[("KERNEL_FRAME", "1")], Profile::Float),
     evaluate("evaluate_native", "evaluate.comp", &[("KERNEL_NATIVE", "1")], Profile::Native),
+    evaluate("evaluate_blue_noise", "evaluate_blue_noise.comp", &[], Profile::Integer),
+    evaluate("evaluate_blue_noise_portable", "evaluate_blue_noise.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_domain", "evaluate_domain.comp", &[], Profile::Integer),
     evaluate("evaluate_domain_portable", "evaluate_domain.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_net", "evaluate_net.comp", &[], Profile::Integer),

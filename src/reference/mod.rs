@@ -23,6 +23,7 @@
 )]
 
 pub mod bits;
+pub mod blue_noise;
 pub mod discrepancy;
 pub mod disk;
 pub mod distance;
@@ -50,6 +51,7 @@ pub mod primes;
 pub mod radical_inverse;
 pub mod random;
 pub mod scrambled_radical_inverse;
+pub mod screen_space;
 pub mod sobol;
 pub mod sobol_directions;
 pub mod stratified;
