@@ -86,12 +86,19 @@ pub fn refuse(args: &GenerateArgs) -> Result<()> {
 
 /// Refuses what only points have.
 fn refuse_points(args: &GenerateArgs) -> Result<()> {
-    let columns = args.dims.is_some() || args.bases.is_some() || args.total.is_some();
+    let columns = args.dims.is_some()
+        || args.bases.is_some()
+        || args.total.is_some()
+        || args.scramble.is_some()
+        || args.grid.is_some()
+        || args.generator.is_some()
+        || args.order != "natural";
     let mapped = args.map.is_some() || args.with_pdf;
     if columns || mapped || args.count.is_some() || args.first != 0 || args.index_first {
         return Err(refusal(
             format!(
-                "--count, --first, --dims, --bases, --total, --index-first, --map or --with-pdf with {NAME}"
+                "--count, --first, --dims, --bases, --total, --index-first, --scramble, --order, --grid, \
+                 --generator, --map or --with-pdf with {NAME}"
             ),
             "only points have them; a mask has --size, --channels and --frames",
             "drop them",

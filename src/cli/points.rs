@@ -43,7 +43,12 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     };
     check_count(layout.rows)?;
     interrupt::clean_up();
-    let sink = Sink::open(&target, format, layout, arguments(args, Scramble::None, None))?;
+    let sink = Sink::open(
+        &target,
+        format,
+        layout,
+        arguments(args, Scramble::None, None),
+    )?;
     stored.points = blue_noise_points(layout.rows, args.seed.unwrap_or(0))?;
     stream(&mut stored, layout, sink)?;
     Ok(())
@@ -89,6 +94,14 @@ fn refuse(args: &GenerateArgs) -> Result<()> {
     if args.bases.is_some() || args.total.is_some() || args.index_first {
         let limit = "only radical inverses and hammersley have them";
         return refused("--bases, --total or --index-first", limit, "drop them");
+    }
+    if args.scramble.is_some() || args.order != "natural" {
+        let limit = "its points are random already; --seed chooses them";
+        return refused("--scramble or --order", limit, "drop them");
+    }
+    if args.grid.is_some() || args.generator.is_some() {
+        let limit = "only strata have a grid, and only korobov a generator";
+        return refused("--grid or --generator", limit, "drop them");
     }
     Ok(())
 }
