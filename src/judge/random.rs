@@ -32,6 +32,15 @@ pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
     v.map(|x| x as u32)
 }
 
+/// One word of pcg4d: half a step further, and the upper 16 bits added to the lower ones
+/// without carry.
+#[must_use]
+pub fn mix(v: [u32; 4]) -> u32 {
+    let [x, y, _, w] = pcg4d(v).map(|word| u128::from(word ^ (word / 65_536)));
+    let sum = (x + y * w) % (1 << 32);
+    (sum ^ (sum / 65_536)) as u32
+}
+
 /// `rounds` rounds of Philox-4x32 of Salmon et al. 2011, whose keys are a Weyl sequence.
 /// Ten rounds make Philox-4x32-10.
 #[must_use]
