@@ -7,9 +7,9 @@
 //         random numbers: those collide. The lowest bits of corput_pcg4d are weak: bit k
 //         of each word depends on bits 0 to k + 16 of the arguments alone, so it has a
 //         period of 2^(k + 17) in each, and the lowest of x may be biased 3 to 1; high
-//         bits of the arguments hardly reach the low ones. corput_mix has neither fault.
-// cost:   hash 3 multiplications, 8 other instructions; pcg4d 12 and 20; mix and seed 13
-//         and 29.
+//         bits of the arguments hardly reach the low ones. corput_mix and _mix4 have neither fault.
+// cost:   hash 3 multiplications, 8 other instructions; pcg4d 12 and 20; mix4 16 and 36;
+//         mix and seed 13 and 29, once what they do not use is gone.
 // hooks:  none.
 // mirror: src/reference/hash.rs
 #ifndef CORPUT_HASH_GLSL
@@ -41,13 +41,21 @@ uvec4 corput_pcg4d(uvec4 v) {
     return v;
 }
 
-// One word of four. Products carry upwards only, so two rounds leave the low bits weak:
-// the first sum of a third round, and its upper half folded onto the lower, mend that.
-uint corput_mix(uvec4 v) {
+// Four words of four. Products carry upwards only, so two rounds leave the low bits weak: a
+// third round, and its upper halves folded onto the lower, mend that.
+uvec4 corput_mix4(uvec4 v) {
     v = corput_pcg4d(v);
     v ^= v >> 16;
-    uint x = v.x + v.y * v.w;
-    return x ^ (x >> 16);
+    v.x += v.y * v.w;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v.w += v.y * v.z;
+    return v ^ (v >> 16);
+}
+
+// One word of four: the first of corput_mix4.
+uint corput_mix(uvec4 v) {
+    return corput_mix4(v).x;
 }
 
 // A seed of 32 bits for one dimension and one purpose, which is any number: whoever draws

@@ -194,6 +194,7 @@ pub const FUNCTIONS: &[Function] = &[
     ),
     random("hash", "hash", 0),
     random("pcg4d", "hash", 1),
+    random("mix4", "hash", 12),
     random("seed", "hash", 2),
     random("philox", "random", 3),
     random("random", "random", 4),

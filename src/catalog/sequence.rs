@@ -9,7 +9,7 @@ use crate::{Error, Result};
 pub enum Sequence {
     /// Random numbers by counter: Philox-4x32-10, Salmon et al. 2011.
     Random,
-    /// Random numbers by counter: pcg4d, Jarzynski and Olano 2020.
+    /// Random numbers by counter: pcg4d, Jarzynski and Olano 2020, and half a third round.
     RandomFast,
     /// Random numbers in sequence: PCG32, O'Neill 2014.
     Pcg32,
@@ -98,7 +98,7 @@ impl Sequence {
     pub fn summary(self) -> &'static str {
         match self {
             Self::Random => "random numbers by counter, Philox-4x32-10",
-            Self::RandomFast => "random numbers by counter, pcg4d: faster, less tested",
+            Self::RandomFast => "random numbers by counter, pcg4d with half a third round: faster",
             Self::Pcg32 => "random numbers in sequence, PCG32",
             Self::Stratified => "one jittered point per cell of a grid; a fixed number",
             Self::LatinHypercube => "one point per stratum of each axis; a fixed number",

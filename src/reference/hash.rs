@@ -44,15 +44,25 @@ pub fn pcg4d(mut v: UVec4) -> UVec4 {
     v
 }
 
-/// One word of four. Products carry upwards only, so two rounds leave the low bits weak:
-/// the first sum of a third round, and its upper half folded onto the lower, mend that.
+/// Four words of four. Products carry upwards only, so two rounds leave the low bits weak:
+/// a third round, and its upper halves folded onto the lower, mend that.
 #[inline]
 #[must_use]
-pub fn mix(mut v: UVec4) -> u32 {
+pub fn mix4(mut v: UVec4) -> UVec4 {
     v = pcg4d(v);
     v ^= v >> 16;
-    let x = v.x.wrapping_add(v.y.wrapping_mul(v.w));
-    x ^ (x >> 16)
+    v.x = v.x.wrapping_add(v.y.wrapping_mul(v.w));
+    v.y = v.y.wrapping_add(v.z.wrapping_mul(v.x));
+    v.z = v.z.wrapping_add(v.x.wrapping_mul(v.y));
+    v.w = v.w.wrapping_add(v.y.wrapping_mul(v.z));
+    v ^ (v >> 16)
+}
+
+/// One word of four: the first of [`mix4`].
+#[inline]
+#[must_use]
+pub fn mix(v: UVec4) -> u32 {
+    mix4(v).x
 }
 
 /// A seed of 32 bits for one dimension and one purpose, which is any number: whoever draws
