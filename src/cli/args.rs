@@ -22,7 +22,7 @@ pub enum Command {
     /// List the Vulkan devices, their limits and what a probe of their floats finds.
     Devices(DevicesArgs),
     /// Make points, or samples of a map over them, and write them to a file.
-    Generate(GenerateArgs),
+    Generate(Box<GenerateArgs>),
     /// Compare every kernel and function with the CPU reference on a device.
     Check(CheckArgs),
     /// Say how good a set of points in [0, 1)^d is.

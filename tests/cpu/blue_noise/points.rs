@@ -46,8 +46,8 @@ fn points_keep_their_distance() {
     let jittered: Vec<[u32; 2]> = (0..1024u32)
         .map(|i| {
             [
-                (i % 32 << 27) + jitter(2 * i),
-                (i / 32 << 27) + jitter(2 * i + 1),
+                ((i % 32) << 27) + jitter(2 * i),
+                ((i / 32) << 27) + jitter(2 * i + 1),
             ]
         })
         .collect();

@@ -30,7 +30,7 @@ fn slow_index(x: u32, y: u32, sample: u32, samples_log2: u32, seed: u32) -> u64 
     for (level, digit) in path.iter().enumerate() {
         let prefix = path[..level].iter().fold(0, |code, digit| 4 * code + digit);
         let hash = screen_space_hash(prefix, level as u32, seed);
-        let chosen = (u64::from(hash) * 24 >> 32) as usize;
+        let chosen = ((u64::from(hash) * 24) >> 32) as usize;
         index = 4 * index + u64::from(permutation(chosen)[*digit as usize]);
     }
     (index << samples_log2) + u64::from(sample)
