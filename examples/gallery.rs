@@ -21,11 +21,6 @@ fn rows() -> Vec<Row> {
         scramble: Some(Scramble::Owen),
         ..plain(Sequence::Sobol)
     };
-    // Of the seed 0 its points would be those of Sobol above, in another order.
-    let pmj02 = Options {
-        seed: Some(1),
-        ..plain(Sequence::Pmj02)
-    };
     vec![
         (
             "random",
@@ -77,7 +72,11 @@ fn rows() -> Vec<Row> {
             owen,
             "that at random: unbiased, and without Sobol’s patterns",
         ),
-        ("pmj02", pmj02, "multi-jittered at every power of two"),
+        (
+            "pmj02",
+            plain(Sequence::Pmj02),
+            "multi-jittered at every power of two",
+        ),
     ]
 }
 
