@@ -19,6 +19,7 @@
 #![expect(
     clippy::manual_abs_diff,
     clippy::excessive_precision,
+    clippy::needless_range_loop,
     reason = "statements and literals read as in the shaders"
 )]
 
