@@ -8,6 +8,7 @@
 //! - [`mod@reference`]: its twin in Rust, function by function.
 //! - [`catalog::Request`]: a checked description of points; [`bulk::Reference`] makes them
 //!   on the CPU, `kernels::Generator` on a device.
+//! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
 //!
