@@ -9,6 +9,7 @@
 //! - [`catalog::Request`]: a checked description of points; [`bulk::Reference`] makes them
 //!   on the CPU, `kernels::Generator` on a device.
 //! - [`blue_noise`]: dither masks and point sets that are made once.
+//! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
 //!
