@@ -17,7 +17,7 @@ fn indices() -> impl Iterator<Item = u32> {
 }
 
 fn pattern(words: [u32; 4]) -> UVec2 {
-    let [x, y, ..] = by_chance::pcg4d(words);
+    let [x, y, ..] = by_chance::mix4(words);
     uvec2(x, y)
 }
 
@@ -74,17 +74,17 @@ fn sobol(n: u32, dimension: u32) -> u32 {
 fn judged(name: &str, domain: Domain) -> [u32; 4] {
     let n = domain.index;
     let key = [domain.pattern.x, domain.pattern.y];
-    let seed = |d: u32| by_chance::hash(by_chance::pcg4d([key[0], key[1], d, 4])[3]);
+    let seed = |d: u32| by_chance::mix4([key[0], key[1], d, 4])[0];
     let hashed = |x, d| by_chance::owen_hash(x, seed(d));
     let random = by_chance::philox([n, 0, 0, 4], key, 10);
     let each = |of: &dyn Fn(u32) -> u32| [0, 1, 2, 3].map(of);
     let pmj02 = |key: [u32; 2]| {
-        let shuffled = by_chance::owen(n, 2, key);
-        [0, 1].map(|d| by_chance::owen(sobol(shuffled, d), d, key))
+        let scrambled = |x, which| by_chance::owen(x, (1 << 31) + which, key);
+        [0, 1].map(|d| scrambled(sobol(scrambled(n, 2), d), d))
     };
     match name {
         "random" => random,
-        "random_fast" => by_chance::pcg4d([n, 3, key[0], key[1]]),
+        "random_fast" => by_chance::mix4([n, 3, key[0], key[1]]),
         "pairs" => each(&|d| hashed(sobol(hashed(n, d / 2), d % 2), d + 2)),
         "pmj02" => {
             let ([x, y], [z, w]) = (pmj02(key), pmj02([seed(0), seed(1)]));
@@ -122,8 +122,8 @@ fn judged(name: &str, domain: Domain) -> [u32; 4] {
 fn draws_are_those_of_the_definition() {
     for domain in domains() {
         for d in [0, 1, u32::MAX] {
-            let word = by_chance::pcg4d([domain.pattern.x, domain.pattern.y, d, 4])[3];
-            assert_eq!(domain_seed(domain, d), by_chance::hash(word));
+            let words = by_chance::mix4([domain.pattern.x, domain.pattern.y, d, 4]);
+            assert_eq!(domain_seed(domain, d), words[0]);
         }
         for (name, draw) in DRAWS {
             let set = matches!(name, "latin_hypercube" | "cmj");
