@@ -2,12 +2,12 @@
 
 use super::args::GenerateArgs;
 use super::{host, interrupt, progress};
-use corput::Result;
 use corput::bulk::Reference;
 use corput::catalog::{Engine, Map, Options, Order, Output, Profile, Request, Scramble, Sequence};
 use corput::kernels::Generator;
 use corput::report::{Element, Format, Layout, Sink, Target};
 use corput::vulkan::Device;
+use corput::{Error, Result};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
@@ -55,8 +55,9 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
 }
 
 fn request(args: &GenerateArgs) -> Result<Request> {
+    let sequence = Sequence::from_name(&args.sequence)?;
     Request::new(&Options {
-        sequence: Sequence::from_name(&args.sequence)?,
+        sequence,
         count: args.count,
         first: args.first,
         dimensions: args.dims,
@@ -67,7 +68,7 @@ fn request(args: &GenerateArgs) -> Result<Request> {
         scramble: args
             .scramble
             .as_deref()
-            .map(Scramble::from_name)
+            .map(|name| scramble(sequence, name))
             .transpose()?,
         order: Order::from_name(&args.order)?,
         grid: args.grid.as_ref().map(|grid| grid.0.clone()),
@@ -76,6 +77,17 @@ fn request(args: &GenerateArgs) -> Result<Request> {
         map: args.map.as_deref().map(Map::from_name).transpose()?,
         with_pdf: args.with_pdf,
         profile: Profile::from_name(&args.profile)?,
+    })
+}
+
+/// The scramble with this name. A name that is none is answered by those of the sequence.
+fn scramble(sequence: Sequence, name: &str) -> Result<Scramble> {
+    Scramble::from_name(name).map_err(|unknown| {
+        let known = sequence.scrambles().iter().map(|scramble| scramble.name());
+        match known.collect::<Vec<&str>>()[..] {
+            [] => unknown,
+            ref known => Error::unknown_name("scramble", name, known),
+        }
     })
 }
 

@@ -4,6 +4,8 @@
 mod commands;
 #[path = "cli/devices.rs"]
 mod devices;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/measure.rs"]
 mod measure;
 #[path = "cli/parse.rs"]
