@@ -71,8 +71,12 @@ pub enum Error {
         /// The repeated base.
         base: u32,
     },
-    /// More dimensions than a sequence has.
-    #[error("{sequence} was asked for {asked} dimensions; it has {least} to {limit}: {remedy}")]
+    /// More dimensions than a sequence has, or fewer.
+    #[error(
+        "{sequence} was asked for {asked} dimension{}; it has {}: {remedy}",
+        if *asked == 1 { "" } else { "s" },
+        if least == limit { limit.to_string() } else { format!("{least} to {limit}") }
+    )]
     Dimensions {
         /// The sequence's name.
         sequence: &'static str,

@@ -6,7 +6,7 @@ use crate::interface::Column;
 use crate::{Error, Result};
 
 /// Length of every sequence.
-pub(super) const PERIOD: u64 = 1 << 32;
+const PERIOD: u64 = 1 << 32;
 
 /// What is asked for, unchecked; [`Request::new`] checks it.
 #[derive(Clone, Debug)]

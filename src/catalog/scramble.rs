@@ -61,6 +61,22 @@ impl Scramble {
         !matches!(self, Self::None | Self::Faure)
     }
 
+    /// What it does, in a line.
+    #[must_use]
+    pub fn summary(self) -> &'static str {
+        match self {
+            Self::None => "the sequence as it is",
+            Self::Shift => "digital shift: one random word per dimension; fastest",
+            Self::Matrix => "random linear matrix and digital shift (Matousek 1998)",
+            Self::Owen => "nested uniform scramble, exact (Owen 1995); the best",
+            Self::OwenHash => "the same by a hash, fast and nearly uniform (Laine and Karras 2011)",
+            Self::Faure => "Faure's permutations of digits (1992), which take no seed",
+            Self::Permute => "a random permutation of the digits at each place",
+            Self::Start => "a random index to start from (Wang and Hickernell 2000)",
+            Self::Rotate => "rotation modulo 1 (Cranley and Patterson 1976)",
+        }
+    }
+
     /// The scramble with this name.
     ///
     /// # Errors

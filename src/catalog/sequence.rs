@@ -93,27 +93,6 @@ impl Sequence {
         }
     }
 
-    /// What it is, in a line.
-    #[must_use]
-    pub fn summary(self) -> &'static str {
-        match self {
-            Self::Random => "random numbers by counter, Philox-4x32-10",
-            Self::RandomFast => "random numbers by counter, pcg4d with half a third round: faster",
-            Self::Pcg32 => "random numbers in sequence, PCG32",
-            Self::Stratified => "one jittered point per cell of a grid; a fixed number",
-            Self::LatinHypercube => "one point per stratum of each axis; a fixed number",
-            Self::MultiJittered => "correlated multi-jittered; m x n points",
-            Self::VanDerCorput => "radical inverse in one base; one dimension",
-            Self::Halton => "radical inverses in the first primes; any number of points",
-            Self::Hammersley => "k/N and radical inverses; the number of points is fixed",
-            Self::Sobol => "digital sequence in base 2; any number, best powers of two",
-            Self::Pmj02 => "shuffled and scrambled Sobol pair; any number of points",
-            Self::Lattice => "embedded rank-1 lattice; to 2^20, best powers of two",
-            Self::Korobov => "rank-1 lattice of one generator; a fixed number of points",
-            Self::R2 => "additive recurrence of the plastic number's kin; any number",
-        }
-    }
-
     /// The sequence with this name.
     ///
     /// # Errors
@@ -173,17 +152,34 @@ impl Sequence {
         }
     }
 
-    /// Whether it is a set of a fixed number of points.
+    /// Options of the command line that not every sequence takes.
     #[must_use]
-    pub fn is_set(self) -> bool {
-        matches!(
-            self,
-            Self::Hammersley
-                | Self::Stratified
-                | Self::LatinHypercube
-                | Self::MultiJittered
-                | Self::Korobov
-        )
+    pub fn options(self) -> &'static [&'static str] {
+        match self {
+            Self::VanDerCorput | Self::Halton => &["--bases"],
+            Self::Hammersley => &["--total", "--bases", "--index-first"],
+            Self::Stratified | Self::MultiJittered => &["--total", "--grid"],
+            Self::LatinHypercube => &["--total"],
+            Self::Korobov => &["--total", "--generator"],
+            Self::Sobol => &["--order gray"],
+            Self::Random
+            | Self::RandomFast
+            | Self::Pcg32
+            | Self::Pmj02
+            | Self::Lattice
+            | Self::R2 => &[],
+        }
+    }
+
+    /// The most points of the whole: of sets whose kernels take the number as a word, one
+    /// less than 2^32.
+    pub(super) fn most_points(self) -> u64 {
+        match self {
+            Self::Stratified | Self::LatinHypercube | Self::MultiJittered | Self::Korobov => {
+                (1 << 32) - 1
+            }
+            _ => 1 << 32,
+        }
     }
 }
 

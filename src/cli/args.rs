@@ -1,5 +1,6 @@
 //! The arguments.
 
+use super::guide;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
@@ -12,7 +13,13 @@ pub struct Cli {
     pub command: Command,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done; 1 a check failed; 2 refused before work began; \
+const EXIT_CODES: &str = "To begin with:
+  corput generate sobol --count 1024 --scramble owen --seed 1 --out p.npy
+  corput plot p.npy --out p.svg
+  corput measure p.npy
+  corput check
+
+Exit codes: 0 done; 1 a check failed; 2 refused before work began; \
 3 no device present, or none adequate; 4 failed while running.\n\
 Environment: CORPUT_DEVICE chooses the device as --device does; CORPUT_VALIDATION=1 runs with \
 the Khronos validation layer, whose messages then fail the command.";
@@ -45,9 +52,10 @@ pub struct DevicesArgs {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = "`corput generate --help` says what each sequence is, and what it takes.")]
+#[command(after_long_help = guide::generate())]
 pub struct GenerateArgs {
-    /// random, random-fast, pcg32, stratified, latin-hypercube, cmj, vdc, halton, hammersley,
-    /// sobol, pmj02, lattice, korobov, r2, blue-noise or blue-noise-mask.
+    #[arg(help = guide::sequences())]
     pub sequence: String,
     /// Points to make: 1 to 2^32; of blue-noise to 65536.
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
@@ -71,25 +79,24 @@ pub struct GenerateArgs {
     /// Prime bases in place of the first primes, as 2,3,8161.
     #[arg(long, value_delimiter = ',', value_parser = whole, allow_hyphen_values = true)]
     pub bases: Option<Vec<u64>>,
-    /// Points of the whole set: hammersley, stratified, latin-hypercube, cmj, korobov [default:
-    /// first + count].
+    #[arg(help = guide::total())]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub total: Option<u64>,
     /// hammersley: k/N as the first column instead of the last.
     #[arg(long)]
     pub index_first: bool,
-    /// Seed of what is random [default: 0]; given to a lattice it also rotates it.
+    /// Seed of what is random, 0 to 2^64 - 1 [default: 0]; given to lattice, korobov or r2 it
+    /// also rotates them.
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub seed: Option<u64>,
-    /// vdc, halton: none, faure, permute, owen, start. sobol: none, shift, matrix, owen,
-    /// owen-hash. lattice, korobov, r2: none, rotate.
+    #[arg(help = guide::scrambles())]
     #[arg(long)]
     pub scramble: Option<String>,
     /// sobol: natural or gray.
     #[arg(long, default_value = "natural")]
     pub order: String,
     /// stratified, cmj: cells along each axis, as 32x16 [default: nearly equal divisors].
-    #[arg(long, value_parser = grid)]
+    #[arg(long, value_parser = grid, allow_hyphen_values = true)]
     pub grid: Option<Grid>,
     /// korobov: the generator [default: that published for the number of points].
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
@@ -97,8 +104,7 @@ pub struct GenerateArgs {
     /// Write u32 fractions of 2^32 instead of f32.
     #[arg(long)]
     pub fractions: bool,
-    /// Map each point: cosine-hemisphere, cosine-hemisphere-polar, uniform-hemisphere,
-    /// concentric-disk or polar-disk. +z is the normal.
+    #[arg(help = guide::maps())]
     #[arg(long)]
     pub map: Option<String>,
     /// Append the map's pdf as the last column.
@@ -244,13 +250,11 @@ fn cells(text: &str) -> Result<[u32; 2], String> {
 pub struct Grid(pub Vec<u64>);
 
 fn grid(text: &str) -> Result<Grid, String> {
-    let cells: Result<Vec<u64>, String> = text.split('x').map(whole).collect();
+    let cells: Option<Vec<u64>> = text.split('x').map(|axis| axis.parse().ok()).collect();
+    let limit = "it must be the cells along each axis, each 1 or more, as 32x16";
     match cells {
-        Ok(cells) if !cells.contains(&0) => Ok(Grid(cells)),
-        Ok(_) => Err(format!(
-            "`{text}` has an axis of 0 cells; each has at least 1"
-        )),
-        Err(reason) => Err(format!("{reason}; a grid is written as 32x16")),
+        Some(cells) if !cells.contains(&0) => Ok(Grid(cells)),
+        _ => Err(format!("`{text}` is no grid; {limit}")),
     }
 }
 

@@ -1,7 +1,7 @@
 //! `corput generate`.
 
 use super::args::GenerateArgs;
-use super::{host, interrupt, mask, points, progress};
+use super::{guide, host, interrupt, mask, points, progress};
 use corput::bulk::Reference;
 use corput::catalog::{Engine, Map, Options, Order, Output, Profile, Request, Scramble, Sequence};
 use corput::kernels::Generator;
@@ -75,8 +75,10 @@ pub fn count(args: &GenerateArgs) -> Result<u64> {
 }
 
 fn request(args: &GenerateArgs) -> Result<Request> {
+    let sequence = Sequence::from_name(&args.sequence)
+        .map_err(|_| Error::unknown_name("sequence", &args.sequence, &guide::known()))?;
     Request::new(&Options {
-        sequence: Sequence::from_name(&args.sequence)?,
+        sequence,
         count: count(args)?,
         first: args.first,
         dimensions: args.dims,
@@ -87,7 +89,7 @@ fn request(args: &GenerateArgs) -> Result<Request> {
         scramble: args
             .scramble
             .as_deref()
-            .map(Scramble::from_name)
+            .map(|name| scramble(sequence, name))
             .transpose()?,
         order: Order::from_name(&args.order)?,
         grid: args.grid.as_ref().map(|grid| grid.0.clone()),
@@ -96,6 +98,17 @@ fn request(args: &GenerateArgs) -> Result<Request> {
         map: args.map.as_deref().map(Map::from_name).transpose()?,
         with_pdf: args.with_pdf,
         profile: Profile::from_name(&args.profile)?,
+    })
+}
+
+/// The scramble with this name. A name that is none is answered by those of the sequence.
+fn scramble(sequence: Sequence, name: &str) -> Result<Scramble> {
+    Scramble::from_name(name).map_err(|unknown| {
+        let known = sequence.scrambles().iter().map(|scramble| scramble.name());
+        match known.collect::<Vec<&str>>()[..] {
+            [] => unknown,
+            ref known => Error::unknown_name("scramble", name, known),
+        }
     })
 }
 

@@ -6,6 +6,7 @@ mod check;
 mod demo;
 mod devices;
 mod generate;
+mod guide;
 mod headers;
 mod host;
 mod interrupt;

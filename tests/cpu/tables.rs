@@ -80,3 +80,33 @@ fn maps_agree_with_their_functions_and_the_readme() {
         assert!(readme.contains(&line), "the README lacks: {line}");
     }
 }
+
+/// What the README says of each sequence is what the catalogue says of it.
+#[test]
+fn sequences_agree_with_the_readme() {
+    use corput::catalog::SEQUENCES;
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+    let readme = std::fs::read_to_string(path).expect("the README is there");
+    for sequence in SEQUENCES {
+        let guide = sequence.guide();
+        let line = format!(
+            "| `{}` | {} | {} | {} | {} |\n",
+            sequence.name(),
+            guide.what,
+            guide.purpose,
+            guide.source,
+            guide.points
+        );
+        assert!(readme.contains(&line), "the README lacks: {line}");
+    }
+}
+
+/// The numbers of points that the guide names for Korobov lattices are those of the table.
+#[test]
+fn the_guide_names_every_korobov_lattice() {
+    use corput::catalog::Sequence;
+    use corput::tables::KOROBOV;
+    let counts: Vec<String> = KOROBOV.iter().map(|row| row.0.to_string()).collect();
+    let points = Sequence::Korobov.guide().points;
+    assert!(points.contains(&counts.join(", ")), "{points}");
+}

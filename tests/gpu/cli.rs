@@ -6,6 +6,8 @@ mod blue_noise;
 mod commands;
 #[path = "cli/devices.rs"]
 mod devices;
+#[path = "cli/limits.rs"]
+mod limits;
 #[path = "cli/measure.rs"]
 mod measure;
 #[path = "cli/parse.rs"]

@@ -9,9 +9,6 @@ use crate::{Error, Result};
 /// Points for which the generating vector was chosen.
 const EMBEDDED: u64 = 1 << 20;
 
-/// Points of a Korobov lattice at most: a count must be a word.
-const MOST: u64 = (1 << 32) - 1;
-
 pub(super) fn columns(asked: &Asked) -> Result<Vec<Column>> {
     let shift = |dimension| match asked.scramble {
         Scramble::Rotate => Some(asked.derived(dimension, purpose::ROTATION)),
@@ -61,14 +58,15 @@ pub(super) fn columns(asked: &Asked) -> Result<Vec<Column>> {
 fn korobov(asked: &Asked) -> Result<(u32, u64)> {
     let total = asked.total;
     if let Some(generator) = asked.options.generator {
-        if total > MOST || generator == 0 || generator >= total.max(2) {
+        let most = total.max(2) - 1;
+        if generator == 0 || generator > most {
             return Err(Error::Arguments {
-                asked: format!("--generator {generator} for {total} points"),
-                limit: format!("a generator is 1 to N - 1, and N at most {MOST}"),
-                remedy: "choose another, or drop --generator".into(),
+                asked: format!("--generator {generator} for N = {total}"),
+                limit: "a generator is 1 to N - 1".into(),
+                remedy: format!("choose one of 1 to {most}, or drop --generator"),
             });
         }
-        // Checked above.
+        // A Korobov lattice has at most 2^32 - 1 points.
         return Ok((total as u32, generator));
     }
     if let Some(&(count, generator)) = KOROBOV.iter().find(|row| u64::from(row.0) == total) {
@@ -76,15 +74,15 @@ fn korobov(asked: &Asked) -> Result<(u32, u64)> {
     }
     let below = KOROBOV.iter().rev().find(|row| u64::from(row.0) < total);
     let above = KOROBOV.iter().find(|row| u64::from(row.0) > total);
-    let nearest: Vec<String> = [below, above]
-        .into_iter()
-        .flatten()
-        .map(|row| row.0.to_string())
-        .collect();
+    let nearest = [below, above].into_iter().flatten();
+    let whole = asked.whole_set(nearest.map(|row| u64::from(row.0)));
     let known: Vec<String> = KOROBOV.iter().map(|row| row.0.to_string()).collect();
     Err(Error::Arguments {
-        asked: format!("korobov of {total} points"),
-        limit: format!("generators are published for {} points", known.join(", ")),
-        remedy: format!("use --count {}, or give --generator", nearest.join(" or ")),
+        asked: format!("korobov with N = {total} points"),
+        limit: format!("generators are published for N = {}", known.join(", ")),
+        remedy: whole.map_or_else(
+            || "give --generator".into(),
+            |whole| format!("{whole}, or give --generator"),
+        ),
     })
 }

@@ -5,8 +5,7 @@ mod net;
 mod radical;
 mod strata;
 
-use super::request::PERIOD;
-use super::{Options, Order, Scramble, Sequence};
+use super::{Options, Order, SEQUENCES, Scramble, Sequence};
 use crate::interface::{Column, Generator};
 use crate::reference::hash::seed as derived_seed;
 use crate::{Error, Result};
@@ -34,6 +33,21 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
+    /// Options that ask for a whole set of one of these numbers of points, where that can
+    /// hold the points asked for.
+    fn whole_set(&self, totals: impl IntoIterator<Item = u64>) -> Option<String> {
+        let whole = self.options.first == 0 && self.options.total.is_none();
+        let option = if whole { "--count" } else { "--total" };
+        let fit = totals
+            .into_iter()
+            .filter(|total| *total >= 1 && (whole || *total >= self.end));
+        let fit: Vec<String> = fit.map(|total| total.to_string()).collect();
+        match fit[..] {
+            [] => None,
+            _ => Some(format!("use {option} {}", alternatives(&fit))),
+        }
+    }
+
     /// The seed of one word for a dimension.
     fn derived(&self, dimension: u32, purpose: u32) -> u32 {
         derived_seed(uvec2(self.seed[0], self.seed[1]), dimension, purpose)
@@ -51,13 +65,19 @@ pub(super) fn make(options: &Options) -> Result<Made> {
     let scramble = scramble(options)?;
     let end = options.first + options.count;
     let total = options.total.unwrap_or(end);
-    if total < end || total > PERIOD {
+    let most = sequence.most_points();
+    if total > most && options.total.is_none() {
+        return Err(Error::Arguments {
+            asked: format!("{} of {total} points", sequence.name()),
+            limit: format!("the set has at most {most}"),
+            remedy: "ask for fewer, or use sobol".into(),
+        });
+    }
+    if total < end || total > most {
         return Err(Error::Arguments {
             asked: format!("--total {total} with points up to {end}"),
-            limit: format!(
-                "a set has more points than the last index, and at most 2^32 = {PERIOD}"
-            ),
-            remedy: format!("use --total between {end} and {PERIOD}"),
+            limit: format!("a set has more points than the last index, and at most {most}"),
+            remedy: format!("use --total between {end} and {most}"),
         });
     }
     let seed = options.seed.unwrap_or(0);
@@ -86,16 +106,27 @@ pub(super) fn make(options: &Options) -> Result<Made> {
     };
     let random = sequence.scrambles().is_empty() || scramble.is_random();
     if options.seed.is_some() && !random {
-        warnings.push(format!(
-            "--seed changes nothing: {} is not randomised; add --scramble",
-            sequence.name()
-        ));
+        warnings.push(idle_seed(sequence));
     }
     Ok(Made {
         columns,
         scramble,
         warnings,
     })
+}
+
+fn idle_seed(sequence: Sequence) -> String {
+    let scrambles = sequence.scrambles().iter();
+    let random = scrambles.filter(|scramble| scramble.is_random());
+    let names: Vec<&str> = random.map(|scramble| scramble.name()).collect();
+    let remedy = match names[..] {
+        [] => "drop it".to_owned(),
+        _ => format!("add --scramble {}", alternatives(&names)),
+    };
+    format!(
+        "--seed changes nothing, as these points of {} are not random; {remedy}",
+        sequence.name()
+    )
 }
 
 fn random(asked: &Asked, generator: Generator) -> Vec<Column> {
@@ -110,51 +141,38 @@ fn random(asked: &Asked, generator: Generator) -> Vec<Column> {
 /// Refuses options of other sequences.
 fn refuse_strangers(options: &Options) -> Result<()> {
     let sequence = options.sequence;
-    let radical = matches!(
-        sequence,
-        Sequence::VanDerCorput | Sequence::Halton | Sequence::Hammersley
-    );
-    let gridded = matches!(sequence, Sequence::Stratified | Sequence::MultiJittered);
-    let strangers = [
-        (
-            options.bases.is_some() && !radical,
-            "--bases",
-            "only vdc, halton and hammersley have bases",
-        ),
-        (
-            options.index_first && sequence != Sequence::Hammersley,
-            "--index-first",
-            "only hammersley has the coordinate k/N",
-        ),
-        (
-            options.total.is_some() && !sequence.is_set(),
-            "--total",
-            "only sets have a number of points of their own: hammersley, stratified, \
-             latin-hypercube, cmj, korobov",
-        ),
-        (
-            options.order == Order::Gray && sequence != Sequence::Sobol,
-            "--order gray",
-            "only sobol has an order by Gray code",
-        ),
-        (
-            options.grid.is_some() && !gridded,
-            "--grid",
-            "only stratified and cmj have a grid",
-        ),
-        (
-            options.generator.is_some() && sequence != Sequence::Korobov,
-            "--generator",
-            "only korobov has a generator",
-        ),
+    let given = [
+        ("--bases", options.bases.is_some()),
+        ("--index-first", options.index_first),
+        ("--total", options.total.is_some()),
+        ("--order gray", options.order == Order::Gray),
+        ("--grid", options.grid.is_some()),
+        ("--generator", options.generator.is_some()),
     ];
-    match strangers.into_iter().find(|(given, ..)| *given) {
-        None => Ok(()),
-        Some((_, name, limit)) => Err(Error::Arguments {
-            asked: format!("{name} with {}", sequence.name()),
-            limit: limit.into(),
-            remedy: "drop it, or use another sequence".into(),
-        }),
+    let stranger = given
+        .into_iter()
+        .find(|(name, given)| *given && !sequence.options().contains(name));
+    let Some((name, _)) = stranger else {
+        return Ok(());
+    };
+    let takers = SEQUENCES
+        .iter()
+        .filter(|sequence| sequence.options().contains(&name));
+    let takers: Vec<&str> = takers.map(|sequence| sequence.name()).collect();
+    Err(Error::Arguments {
+        asked: format!("{name} with {}", sequence.name()),
+        limit: format!("{} has no such option", sequence.name()),
+        remedy: format!("drop it, or use {}", alternatives(&takers)),
+    })
+}
+
+/// "a, b or c".
+fn alternatives(names: &[impl AsRef<str>]) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match names.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+        None => String::new(),
     }
 }
 

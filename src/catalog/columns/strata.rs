@@ -6,21 +6,11 @@ use crate::interface::{Column, purpose};
 use crate::tables::{composite_neighbours, is_prime, nearly_equal_factors};
 use crate::{Error, Result};
 
-/// Points of a set at most: a count must be a word.
-const MOST: u64 = (1 << 32) - 1;
-
 pub(super) fn columns(asked: &Asked, warnings: &mut Vec<String>) -> Result<Vec<Column>> {
     let (sequence, total, seed) = (asked.sequence, asked.total, asked.seed);
-    if total > MOST {
-        return Err(Error::Arguments {
-            asked: format!("{} of {total} points", sequence.name()),
-            limit: format!("a set of strata has at most 2^32 - 1 = {MOST}"),
-            remedy: "ask for fewer, or use sobol".into(),
-        });
-    }
     match sequence {
         Sequence::LatinHypercube => Ok(asked.per_dimension(|dimension| Column::LatinHypercube {
-            // Checked above.
+            // A set of strata has at most 2^32 - 1 points.
             count: total as u32,
             dimension,
             seed,
@@ -65,9 +55,12 @@ fn given(asked: &Asked, grid: &[u64]) -> Result<Vec<u32>> {
         return Err(Error::Arguments {
             asked: format!("--grid {} with {} points", text.join("x"), asked.total),
             limit: format!("the grid has {cells} cells, and each takes one point"),
-            remedy: match product {
-                Some(product @ 1..=MOST) => format!("use --count {product}, or another grid"),
-                _ => "use another grid".into(),
+            remedy: match product.filter(|product| *product <= asked.sequence.most_points()) {
+                Some(product) => asked.whole_set([product]).map_or_else(
+                    || "use another grid".into(),
+                    |whole| format!("{whole}, or another grid"),
+                ),
+                None => "use another grid".into(),
             },
         });
     }
@@ -102,7 +95,10 @@ fn multi_jittered(asked: &Asked) -> Result<[u32; 2]> {
         return Err(Error::Arguments {
             asked: format!("cmj of {total} points"),
             limit: format!("the set has m x n points, and {total} is prime"),
-            remedy: format!("use --count {below} or {above}, or --grid 1x{total}"),
+            remedy: asked.whole_set([below, above]).map_or_else(
+                || format!("use --grid 1x{total}"),
+                |whole| format!("{whole}, or --grid 1x{total}"),
+            ),
         });
     }
     let factors = nearly_equal_factors(total, 2);

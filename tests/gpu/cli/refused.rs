@@ -4,7 +4,7 @@ use super::{Desk, repository, skips};
 use exr::prelude::write_rgb_file;
 
 /// Runs `line` in a new folder: refused with these words, and nothing is left.
-fn assert_refused(line: &str, words: &[&str]) {
+pub fn assert_refused(line: &str, words: &[&str]) {
     let desk = Desk::new();
     std::fs::write(desk.path("file"), "").unwrap();
     let run = desk.run(line);
