@@ -51,7 +51,7 @@ CorputDomain corput_domain_chain(CorputDomain parent, uint key, uint link) {
     return CorputDomain(v.xy, parent.index);
 }
 
-// A word for dimension d of the draw, different for every pattern.
+// A word for dimension d of the draw, hashed from the pattern.
 uint corput_domain_seed(CorputDomain domain, uint d) {
     return corput_seed(domain.pattern, d, 4u);
 }

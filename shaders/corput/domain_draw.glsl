@@ -1,6 +1,7 @@
 // what:   draws of four dimensions from a domain, of the sequences that need no table:
-//         random numbers, Sobol pairs, Latin hypercubes, correlated multi-jittered pairs,
-//         lattices and the additive recurrence. Components that are not used cost nothing.
+//         random numbers, Sobol pairs, jittered grids, Latin hypercubes, correlated
+//         multi-jittered pairs, lattices and additive recurrences. Components that are not
+//         used cost nothing. Masks belong to pixels: "corput/blue_noise.glsl".
 // source: those of the sequences' headers; shuffling the index of a padded pair: Burley 2020,
 //         Practical hash-based Owen scrambling.
 // domain: every domain; indices below `count` for sets; below 2^20 for the lattice.
@@ -18,6 +19,7 @@
 #include "corput/domain.glsl"
 #include "corput/lattice.glsl"
 #include "corput/owen.glsl"
+#include "corput/permute.glsl"
 #include "corput/pmj02.glsl"
 #include "corput/random.glsl"
 #include "corput/stratified.glsl"
@@ -48,6 +50,18 @@ uvec4 corput_draw_pmj02(CorputDomain domain) {
     return uvec4(corput_pmj02(domain.index, domain.pattern), corput_pmj02(domain.index, other));
 }
 
+// Two pairs of jittered strata on a grid of grid.x * grid.y cells, which the second pair
+// walks in another order.
+uvec4 corput_draw_stratified(CorputDomain domain, uvec2 grid) {
+    uvec4 jitter = corput_draw_random(domain);
+    uint n = domain.index;
+    uint m = corput_permute(n, grid.x * grid.y, corput_domain_seed(domain, 0u));
+    return uvec4(corput_stratified(n, 1u, grid.x, jitter.x),
+        corput_stratified(n, grid.x, grid.y, jitter.y),
+        corput_stratified(m, 1u, grid.x, jitter.z),
+        corput_stratified(m, grid.x, grid.y, jitter.w));
+}
+
 // A Latin hypercube of `count` points in four dimensions.
 uvec4 corput_draw_latin_hypercube(CorputDomain domain, uint count) {
     uvec4 jitter = corput_draw_random(domain);
@@ -72,6 +86,24 @@ uvec4 corput_draw_lattice(CorputDomain domain) {
         corput_rotate(corput_lattice(domain.index, 182667u), corput_domain_seed(domain, 1u)),
         corput_rotate(corput_lattice(domain.index, 469891u), corput_domain_seed(domain, 2u)),
         corput_rotate(corput_lattice(domain.index, 498753u), corput_domain_seed(domain, 3u)));
+}
+
+// The Korobov lattice of `count` points with this generating vector, rotated.
+uvec4 corput_draw_korobov(CorputDomain domain, uvec4 z, uint count) {
+    uint n = domain.index;
+    return uvec4(
+        corput_rotate(corput_korobov(n, z.x, count), corput_domain_seed(domain, 0u)),
+        corput_rotate(corput_korobov(n, z.y, count), corput_domain_seed(domain, 1u)),
+        corput_rotate(corput_korobov(n, z.z, count), corput_domain_seed(domain, 2u)),
+        corput_rotate(corput_korobov(n, z.w, count), corput_domain_seed(domain, 3u)));
+}
+
+// R2, the additive recurrence of two dimensions, rotated: steps g^-1 and g^-2, g^3 = g + 1.
+uvec2 corput_draw_r2(CorputDomain domain) {
+    uint n = domain.index;
+    return uvec2(
+        corput_rotate(corput_additive(n, uvec2(0x02a6328fu, 0xc13fa9a9u)), corput_domain_seed(domain, 0u)),
+        corput_rotate(corput_additive(n, uvec2(0xc79e7b1du, 0x91e10da5u)), corput_domain_seed(domain, 1u)));
 }
 
 // The additive recurrence of four dimensions, rotated: steps g^-1 ... g^-4, g^5 = g + 1.

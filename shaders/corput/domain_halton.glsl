@@ -1,4 +1,4 @@
-// what:   a draw of four dimensions of the Halton sequence from a domain, Owen-scrambled.
+// what:   draws of four dimensions of the Halton sequence from a domain, randomised.
 // source: Owen 2017, A randomized Halton algorithm in R; the sources of
 //         "corput/scrambled_radical_inverse.glsl".
 // domain: every domain.
@@ -25,6 +25,26 @@ uvec4 corput_draw_halton(CorputDomain domain) {
         corput_radical_inverse_owen(n, CORPUT_PRIME(1u), corput_domain_seed(domain, 1u)),
         corput_radical_inverse_owen(n, CORPUT_PRIME(2u), corput_domain_seed(domain, 2u)),
         corput_radical_inverse_owen(n, CORPUT_PRIME(3u), corput_domain_seed(domain, 3u)));
+}
+
+// The same with one permutation per place of a digit.
+uvec4 corput_draw_halton_permuted(CorputDomain domain) {
+    uint n = domain.index;
+    return uvec4(
+        corput_radical_inverse_permuted(n, CORPUT_PRIME(0u), corput_domain_seed(domain, 0u)),
+        corput_radical_inverse_permuted(n, CORPUT_PRIME(1u), corput_domain_seed(domain, 1u)),
+        corput_radical_inverse_permuted(n, CORPUT_PRIME(2u), corput_domain_seed(domain, 2u)),
+        corput_radical_inverse_permuted(n, CORPUT_PRIME(3u), corput_domain_seed(domain, 3u)));
+}
+
+// The same from a random start, which costs least.
+uvec4 corput_draw_halton_started(CorputDomain domain) {
+    uint n = domain.index;
+    return uvec4(
+        corput_radical_inverse_started(n, CORPUT_PRIME(0u), corput_domain_seed(domain, 0u)),
+        corput_radical_inverse_started(n, CORPUT_PRIME(1u), corput_domain_seed(domain, 1u)),
+        corput_radical_inverse_started(n, CORPUT_PRIME(2u), corput_domain_seed(domain, 2u)),
+        corput_radical_inverse_started(n, CORPUT_PRIME(3u), corput_domain_seed(domain, 3u)));
 }
 
 #endif

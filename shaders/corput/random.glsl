@@ -6,8 +6,8 @@
 //         Generation. Jump ahead: Brown 1994, Random Number Generation with Arbitrary
 //         Strides.
 // domain: any uint. The last word of a Philox counter is its purpose, so that no two uses
-//         of one seed share a block: 0 random numbers, 1 nested uniform scrambling, 2
-//         matrix scrambling. Headers take numbers below 2^16, a host those from there on.
+//         of one seed share a block: 0 random numbers, 1 nested uniform scrambling (dimensions
+//         from 2^31 on for pmj02), 2 matrix scrambling, 3 numbered uses, 4 draws of domains. Headers take numbers below 2^16, a host those from there on.
 // range:  every uint; results are fractions of 2^32.
 // cost:   Philox 20 wide products and 60 other instructions, for four numbers; random_fast
 //         13 products and 29; pcg32_next 3 products, pcg32_advance up to 9 for each bit
@@ -43,7 +43,14 @@ uint corput_random(uint index, uint dimension, uvec2 seed) {
     return block[dimension & 3u];
 }
 
-// The same by the cheaper mixer.
+// The same for the use with this number, such as the jitter of one kind of strata: numbers
+// that no other use of the seed has.
+uint corput_random_of(uint index, uint dimension, uint use_number, uvec2 seed) {
+    uvec4 block = corput_philox(uvec4(index, dimension >> 2, use_number, 3u), seed);
+    return block[dimension & 3u];
+}
+
+// As corput_random, by the cheaper mixer.
 uint corput_random_fast(uint index, uint dimension, uvec2 seed) {
     return corput_mix(uvec4(index, dimension, seed));
 }

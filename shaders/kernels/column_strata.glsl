@@ -35,7 +35,7 @@ Column column_load(uint at) {
         P##_STRATA, P##_PERMUTATION, P##_GRID_X, P##_GRID_Y)
 
 uint column_value(uint n, Column c) {
-    uint jitter = corput_random(n, c.dimension, uvec2(c.seed_low, c.seed_high));
+    uint jitter = corput_random_of(n, c.dimension, c.kind, uvec2(c.seed_low, c.seed_high));
     if (c.kind == STRATIFIED) {
         return corput_stratified(n, c.stride, c.strata, jitter);
     }

@@ -41,8 +41,20 @@ uvec4 evaluate(uvec4 a) {
         return corput_draw_sobol(root);
     case 12u:
         return corput_draw_sobol_owen(root);
-    default:
+    case 13u:
         return corput_draw_halton(root);
+    case 14u:
+        return corput_draw_halton_permuted(root);
+    case 15u:
+        return corput_draw_halton_started(root);
+    case 16u:
+        root.index = a.w % 999u;
+        return corput_draw_stratified(root, uvec2(27u, 37u));
+    case 17u:
+        root.index = a.w % 65521u;
+        return corput_draw_korobov(root, uvec4(1u, 8950u, 35838u, 24805u), 65521u);
+    default:
+        return uvec4(corput_draw_r2(root), 0u, 0u);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Columns on the CPU, each value by the twin of its header.
 
-use crate::interface::{Column, DigitScramble, Generator, NetScramble, purpose};
+use crate::interface::{Column, DigitScramble, Generator, NetScramble, column_kind, purpose};
 use crate::reference::fixed::{add64, mul64};
 use crate::reference::hash::seed as derived_seed;
 use crate::reference::lattice::{additive, korobov, lattice, rotate};
@@ -84,7 +84,7 @@ fn net(n: u32, directions: &[u32; 32], column: Column) -> u32 {
         NetScramble::Shift => digital_shift(x, derived_seed(seed, dimension, purpose::SHIFT)),
         NetScramble::Matrix => digital_shift(
             matrix_scramble(x, dimension, seed),
-            derived_seed(seed, dimension, purpose::SHIFT),
+            derived_seed(seed, dimension, purpose::MATRIX_SHIFT),
         ),
         NetScramble::Owen => owen(x, dimension, seed),
         NetScramble::OwenHash => owen_hash(x, derived_seed(seed, dimension, purpose::OWEN_HASH)),
@@ -126,20 +126,26 @@ fn plain(n: u32, column: Column) -> u32 {
             strata,
             dimension,
             seed,
-        } => stratified(n, stride, strata, jitter(n, dimension, seed)),
+        } => {
+            let jitter = jitter(n, dimension, column_kind::STRATIFIED, seed);
+            stratified(n, stride, strata, jitter)
+        }
         Column::LatinHypercube {
             count,
             dimension,
             seed,
             permutation,
-        } => latin_hypercube(n, count, permutation, jitter(n, dimension, seed)),
+        } => {
+            let jitter = jitter(n, dimension, column_kind::LATIN_HYPERCUBE, seed);
+            latin_hypercube(n, count, permutation, jitter)
+        }
         Column::MultiJittered {
             grid,
             dimension,
             seed,
             permutation,
         } => {
-            let both = UVec2::splat(jitter(n, dimension, seed));
+            let both = UVec2::splat(jitter(n, dimension, column_kind::MULTI_JITTERED, seed));
             axis(cmj(n, UVec2::from(grid), permutation, both), dimension)
         }
         Column::Lattice { z, shift } => rotate(lattice(n, z), shift),
@@ -151,8 +157,8 @@ fn plain(n: u32, column: Column) -> u32 {
     }
 }
 
-fn jitter(n: u32, dimension: u32, seed: [u32; 2]) -> u32 {
-    random::random(n, dimension, UVec2::from(seed))
+fn jitter(n: u32, dimension: u32, kind: u32, seed: [u32; 2]) -> u32 {
+    random::random_of(n, dimension, kind, UVec2::from(seed))
 }
 
 fn axis(p: UVec2, dimension: u32) -> u32 {

@@ -24,17 +24,7 @@ pub fn cases() -> Result<Vec<Case>> {
             }
         }
     }
-    for (name, sequence, dimensions) in [
-        ("halton d=1024 f32", Sequence::Halton, 1024),
-        ("sobol d=21201 f32", Sequence::Sobol, 21_201),
-        ("lattice d=250 f32", Sequence::Lattice, 250),
-    ] {
-        cases.push(case(name.into(), "generate", |o| {
-            o.sequence = sequence;
-            o.dimensions = Some(dimensions);
-            o.count = 64;
-        })?);
-    }
+    wide(&mut cases)?;
     for map in MAPS {
         for with_pdf in [false, true] {
             let pdf = if with_pdf { " pdf" } else { "" };
@@ -49,6 +39,36 @@ pub fn cases() -> Result<Vec<Case>> {
     }
     fused(&mut cases)?;
     Ok(cases)
+}
+
+/// All dimensions of the tables, at the first indices and at the last.
+fn wide(cases: &mut Vec<Case>) -> Result<()> {
+    let list = [
+        (Sequence::Halton, Scramble::None, 1024, 1 << 32),
+        (Sequence::Halton, Scramble::Faure, 1024, 1 << 32),
+        (Sequence::Halton, Scramble::Owen, 1024, 1 << 32),
+        (Sequence::Sobol, Scramble::None, 21_201, 1 << 32),
+        (Sequence::Sobol, Scramble::Matrix, 21_201, 1 << 32),
+        (Sequence::Sobol, Scramble::OwenHash, 21_201, 1 << 32),
+        (Sequence::Lattice, Scramble::None, 250, 1 << 20),
+    ];
+    for (sequence, scramble, dimensions, end) in list {
+        for first in [0, end - 8] {
+            let name = format!(
+                "{} {} d={dimensions} from {first}",
+                sequence.name(),
+                scramble.name()
+            );
+            cases.push(case(name, "generate", |o| {
+                o.sequence = sequence;
+                o.scramble = Some(scramble);
+                o.dimensions = Some(dimensions);
+                o.first = first;
+                o.count = 8;
+            })?);
+        }
+    }
+    Ok(())
 }
 
 /// One map over points of every family.

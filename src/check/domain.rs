@@ -2,10 +2,10 @@
 
 use crate::reference::domain::{domain, domain_chain, domain_child, domain_seed, domain_split};
 use crate::reference::domain_draw::{
-    draw_additive, draw_cmj, draw_latin_hypercube, draw_lattice, draw_pairs, draw_pmj02,
-    draw_random, draw_random_fast,
+    draw_additive, draw_cmj, draw_korobov, draw_latin_hypercube, draw_lattice, draw_pairs,
+    draw_pmj02, draw_r2, draw_random, draw_random_fast, draw_stratified,
 };
-use crate::reference::domain_halton::draw_halton;
+use crate::reference::domain_halton::{draw_halton, draw_halton_permuted, draw_halton_started};
 use crate::reference::domain_sobol::{draw_sobol, draw_sobol_owen};
 use glam::{uvec2, uvec4};
 
@@ -47,6 +47,20 @@ pub(super) fn reference(name: &str, a: [u32; 4]) -> Option<[u32; 4]> {
         "draw_sobol" => draw_sobol(root, &directions).into(),
         "draw_sobol_owen" => draw_sobol_owen(root, &directions).into(),
         "draw_halton" => draw_halton(root, uvec4(2, 3, 5, 7)).into(),
+        "draw_halton_permuted" => draw_halton_permuted(root, uvec4(2, 3, 5, 7)).into(),
+        "draw_halton_started" => draw_halton_started(root, uvec4(2, 3, 5, 7)).into(),
+        "draw_stratified" => {
+            root.index = a[3] % 999;
+            draw_stratified(root, uvec2(27, 37)).into()
+        }
+        "draw_korobov" => {
+            root.index = a[3] % 65521;
+            draw_korobov(root, uvec4(1, 8950, 35838, 24805), 65521).into()
+        }
+        "draw_r2" => {
+            let p = draw_r2(root);
+            [p.x, p.y, 0, 0]
+        }
         _ => return None,
     })
 }

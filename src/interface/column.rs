@@ -148,16 +148,32 @@ pub enum Generator {
     Pcg32,
 }
 
-/// What seeds of one word are derived for: the last argument of `corput_seed`.
+/// What seeds of one word are derived for: the last argument of `corput_seed`. Each use has
+/// its own, so that two sequences or scrambles with one seed are not alike. Headers take
+/// numbers below 16.
 pub mod purpose {
-    /// A digital shift.
-    pub const SHIFT: u32 = 0;
-    /// A nested scramble by a hash.
-    pub const OWEN_HASH: u32 = 1;
-    /// Permutations.
-    pub const PERMUTATION: u32 = 2;
-    /// A Cranley-Patterson rotation.
-    pub const ROTATION: u32 = 3;
+    /// Digital shift.
+    pub const SHIFT: u32 = 16;
+    /// Digital shift after a matrix scramble.
+    pub const MATRIX_SHIFT: u32 = 17;
+    /// Nested scramble by a hash.
+    pub const OWEN_HASH: u32 = 18;
+    /// One permutation per digit's place.
+    pub const PERMUTED_DIGITS: u32 = 19;
+    /// Nested permutations of digits.
+    pub const NESTED_DIGITS: u32 = 20;
+    /// Start of a radical inverse.
+    pub const START: u32 = 21;
+    /// Permutations of a Latin hypercube.
+    pub const LATIN_HYPERCUBE: u32 = 22;
+    /// Permutations of a correlated multi-jittered set.
+    pub const MULTI_JITTERED: u32 = 23;
+    /// Rotation of the embedded lattice.
+    pub const LATTICE: u32 = 24;
+    /// Rotation of a Korobov lattice.
+    pub const KOROBOV: u32 = 25;
+    /// Rotation of the additive recurrence.
+    pub const ADDITIVE: u32 = 26;
 }
 
 impl Column {

@@ -68,7 +68,7 @@ pub fn domain_chain(parent: Domain, key: u32, link: u32) -> Domain {
     }
 }
 
-/// A word for dimension d of the draw, different for every pattern.
+/// A word for dimension d of the draw, hashed from the pattern.
 #[inline]
 #[must_use]
 pub fn domain_seed(domain: Domain, d: u32) -> u32 {

@@ -7,11 +7,12 @@
 
 use crate::reference::domain::{Domain, domain_seed};
 use crate::reference::hash::mix4;
-use crate::reference::lattice::{additive, lattice, rotate};
+use crate::reference::lattice::{additive, korobov, lattice, rotate};
 use crate::reference::owen::owen_hash;
+use crate::reference::permute::permute;
 use crate::reference::pmj02::{pmj02, sobol_pair};
 use crate::reference::random::philox;
-use crate::reference::stratified::{cmj, latin_hypercube};
+use crate::reference::stratified::{cmj, latin_hypercube, stratified};
 use glam::{UVec2, UVec4, Vec4Swizzles, uvec2, uvec4};
 
 /// Random numbers, by Philox.
@@ -52,6 +53,22 @@ pub fn draw_pmj02(domain: Domain) -> UVec4 {
     uvec4(p.x, p.y, q.x, q.y)
 }
 
+/// Two pairs of jittered strata on a grid of grid.x * grid.y cells, which the second pair
+/// walks in another order.
+#[inline]
+#[must_use]
+pub fn draw_stratified(domain: Domain, grid: UVec2) -> UVec4 {
+    let jitter = draw_random(domain);
+    let n = domain.index;
+    let m = permute(n, grid.x.wrapping_mul(grid.y), domain_seed(domain, 0));
+    uvec4(
+        stratified(n, 1, grid.x, jitter.x),
+        stratified(n, grid.x, grid.y, jitter.y),
+        stratified(m, 1, grid.x, jitter.z),
+        stratified(m, grid.x, grid.y, jitter.w),
+    )
+}
+
 /// A Latin hypercube of `count` points in four dimensions.
 #[inline]
 #[must_use]
@@ -84,6 +101,36 @@ pub fn draw_lattice(domain: Domain) -> UVec4 {
         rotate(lattice(domain.index, 182_667), domain_seed(domain, 1)),
         rotate(lattice(domain.index, 469_891), domain_seed(domain, 2)),
         rotate(lattice(domain.index, 498_753), domain_seed(domain, 3)),
+    )
+}
+
+/// The Korobov lattice of `count` points with this generating vector, rotated.
+#[inline]
+#[must_use]
+pub fn draw_korobov(domain: Domain, z: UVec4, count: u32) -> UVec4 {
+    let n = domain.index;
+    uvec4(
+        rotate(korobov(n, z.x, count), domain_seed(domain, 0)),
+        rotate(korobov(n, z.y, count), domain_seed(domain, 1)),
+        rotate(korobov(n, z.z, count), domain_seed(domain, 2)),
+        rotate(korobov(n, z.w, count), domain_seed(domain, 3)),
+    )
+}
+
+/// R2, the additive recurrence of two dimensions, rotated: steps g^-1 and g^-2, g^3 = g + 1.
+#[inline]
+#[must_use]
+pub fn draw_r2(domain: Domain) -> UVec2 {
+    let n = domain.index;
+    uvec2(
+        rotate(
+            additive(n, uvec2(0x02a6_328f, 0xc13f_a9a9)),
+            domain_seed(domain, 0),
+        ),
+        rotate(
+            additive(n, uvec2(0xc79e_7b1d, 0x91e1_0da5)),
+            domain_seed(domain, 1),
+        ),
     )
 }
 

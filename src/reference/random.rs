@@ -43,7 +43,16 @@ pub fn random(index: u32, dimension: u32, seed: UVec2) -> u32 {
     block[(dimension & 3) as usize]
 }
 
-/// The same by the cheaper mixer.
+/// The same for the use with this number, such as the jitter of one kind of strata:
+/// numbers that no other use of the seed has.
+#[inline]
+#[must_use]
+pub fn random_of(index: u32, dimension: u32, use_number: u32, seed: UVec2) -> u32 {
+    let block = philox(uvec4(index, dimension >> 2, use_number, 3), seed);
+    block[(dimension & 3) as usize]
+}
+
+/// As [`random`], by the cheaper mixer.
 #[inline]
 #[must_use]
 pub fn random_fast(index: u32, dimension: u32, seed: UVec2) -> u32 {

@@ -146,7 +146,8 @@ fn net(dimension: u32, gray: bool, scramble: NetScramble, seed: [u32; 2]) -> Vec
         NetScramble::OwenHash => column_kind::SOBOL_OWEN_HASH,
     };
     let shift = match scramble {
-        NetScramble::Shift | NetScramble::Matrix => derived_seed(seed, dimension, purpose::SHIFT),
+        NetScramble::Shift => derived_seed(seed, dimension, purpose::SHIFT),
+        NetScramble::Matrix => derived_seed(seed, dimension, purpose::MATRIX_SHIFT),
         _ => 0,
     };
     let hash = derived_seed(seed, dimension, purpose::OWEN_HASH);

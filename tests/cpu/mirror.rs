@@ -37,6 +37,14 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
         &[("Domain", "domain"), ("&[u32]", "directions")],
     ),
     ("draw_halton", &[("Domain", "domain"), ("UVec4", "primes")]),
+    (
+        "draw_halton_permuted",
+        &[("Domain", "domain"), ("UVec4", "primes")],
+    ),
+    (
+        "draw_halton_started",
+        &[("Domain", "domain"), ("UVec4", "primes")],
+    ),
     // CORPUT_BLUE_NOISE(x, y) reads what the twins get as a slice.
     (
         "blue_noise_rank",

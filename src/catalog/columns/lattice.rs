@@ -10,8 +10,13 @@ use crate::{Error, Result};
 const EMBEDDED: u64 = 1 << 20;
 
 pub(super) fn columns(asked: &Asked) -> Result<Vec<Column>> {
+    let purpose = match asked.sequence {
+        Sequence::Lattice => purpose::LATTICE,
+        Sequence::R2 => purpose::ADDITIVE,
+        _ => purpose::KOROBOV,
+    };
     let shift = |dimension| match asked.scramble {
-        Scramble::Rotate => Some(asked.derived(dimension, purpose::ROTATION)),
+        Scramble::Rotate => Some(asked.derived(dimension, purpose)),
         _ => None,
     };
     match asked.sequence {

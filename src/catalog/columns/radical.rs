@@ -29,18 +29,19 @@ pub(super) fn columns(asked: &Asked, warnings: &mut Vec<String>) -> Result<Vec<C
 }
 
 fn column(asked: &Asked, dimension: u32, base: u32) -> Column {
-    let scramble = match asked.scramble {
-        Scramble::Faure => DigitScramble::Faure,
-        Scramble::Permute => DigitScramble::Permuted,
-        Scramble::Owen => DigitScramble::Owen,
-        Scramble::Start => DigitScramble::Started,
+    let (scramble, purpose) = match asked.scramble {
+        // Faure's permutations take no seed.
+        Scramble::Faure => (DigitScramble::Faure, purpose::PERMUTED_DIGITS),
+        Scramble::Permute => (DigitScramble::Permuted, purpose::PERMUTED_DIGITS),
+        Scramble::Owen => (DigitScramble::Owen, purpose::NESTED_DIGITS),
+        Scramble::Start => (DigitScramble::Started, purpose::START),
         _ if base == 2 => return Column::Reversed,
         _ => return Column::Radical(base),
     };
     Column::Digits {
         base,
         scramble,
-        seed: asked.derived(dimension, purpose::PERMUTATION),
+        seed: asked.derived(dimension, purpose),
     }
 }
 

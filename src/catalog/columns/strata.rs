@@ -14,11 +14,11 @@ pub(super) fn columns(asked: &Asked, warnings: &mut Vec<String>) -> Result<Vec<C
             count: total as u32,
             dimension,
             seed,
-            permutation: asked.derived(dimension, purpose::PERMUTATION),
+            permutation: asked.derived(dimension, purpose::LATIN_HYPERCUBE),
         })),
         Sequence::MultiJittered => {
             let grid = multi_jittered(asked)?;
-            let permutation = asked.derived(0, purpose::PERMUTATION);
+            let permutation = asked.derived(0, purpose::MULTI_JITTERED);
             Ok(asked.per_dimension(|dimension| Column::MultiJittered {
                 grid,
                 dimension,
