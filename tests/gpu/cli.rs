@@ -4,6 +4,8 @@
 mod commands;
 #[path = "cli/devices.rs"]
 mod devices;
+#[path = "cli/guide.rs"]
+mod guide;
 #[path = "cli/limits.rs"]
 mod limits;
 #[path = "cli/measure.rs"]
@@ -19,6 +21,8 @@ mod refused;
 mod running;
 #[path = "cli/same.rs"]
 mod same;
+#[path = "cli/sequences.rs"]
+mod sequences;
 
 use std::fs;
 use std::path::{Path, PathBuf};
