@@ -14,6 +14,8 @@ mod measure;
 mod parse;
 #[path = "cli/plot.rs"]
 mod plot;
+#[path = "cli/published.rs"]
+mod published;
 #[path = "cli/refused.rs"]
 mod refused;
 #[cfg(unix)]
