@@ -2,9 +2,11 @@
 //!
 //! `cargo run --release --example gallery [FILE.svg|FILE.png]`, by default `docs/sequences.svg`.
 
+use corput::blue_noise::blue_noise_points;
 use corput::bulk::Reference;
 use corput::catalog::{Options, Request, Scramble, Sequence};
 use corput::plot::{GalleryStyle, Panel, Points, gallery, to_png};
+use corput::reference::unit::unit_floor;
 use corput::report::save;
 use std::path::PathBuf;
 
@@ -18,11 +20,6 @@ fn rows() -> Vec<Row> {
     let owen = Options {
         scramble: Some(Scramble::Owen),
         ..plain(Sequence::Sobol)
-    };
-    // Of the seed 0 its points would be those of Sobol above, in another order.
-    let pmj02 = Options {
-        seed: Some(1),
-        ..plain(Sequence::Pmj02)
     };
     vec![
         (
@@ -68,38 +65,53 @@ fn rows() -> Vec<Row> {
         (
             "Sobol",
             plain(Sequence::Sobol),
-            "as many points in each dyadic cell of a size",
+            "equally many points in all dyadic cells of a size",
         ),
         (
             "Sobol, Owen-scrambled",
             owen,
             "that at random: unbiased, and without Sobol’s patterns",
         ),
-        ("pmj02", pmj02, "multi-jittered at every power of two"),
+        (
+            "pmj02",
+            plain(Sequence::Pmj02),
+            "multi-jittered at every power of two",
+        ),
     ]
 }
 
+/// The words of a request, as floats.
+fn made(options: &Options) -> corput::Result<Vec<f32>> {
+    let request = Request::new(options)?;
+    let mut words = vec![0; COUNT * request.words_per_point() as usize];
+    Reference::new(&request).fill(0, &mut words);
+    Ok(words.into_iter().map(f32::from_bits).collect())
+}
+
+fn pairs(values: &[f32]) -> Vec<[f32; 2]> {
+    values.chunks_exact(2).map(|p| [p[0], p[1]]).collect()
+}
+
 fn main() -> corput::Result<()> {
-    let rows = rows();
     let mut sets = Vec::new();
-    for (_, options, _) in &rows {
-        let request = Request::new(options)?;
-        let mut words = vec![0; COUNT * request.words_per_point() as usize];
-        Reference::new(&request).fill(0, &mut words);
-        sets.push(words.into_iter().map(f32::from_bits).collect::<Vec<f32>>());
+    for (title, options, caption) in rows() {
+        let values = made(&options)?;
+        sets.push((title, caption, pairs(&values), values));
     }
-    let pairs: Vec<Vec<[f32; 2]>> = sets
+    let blue = blue_noise_points(COUNT as u64, 0)?;
+    sets.push((
+        "blue noise",
+        "no two points near: of many, the most crowded left out",
+        blue.into_iter().map(|p| p.map(unit_floor)).collect(),
+        Vec::new(),
+    ));
+    let panels: Vec<Panel<'_>> = sets
         .iter()
-        .map(|set| set.chunks_exact(2).map(|p| [p[0], p[1]]).collect())
-        .collect();
-    let panels: Vec<Panel<'_>> = rows
-        .iter()
-        .zip(sets.iter().zip(&pairs))
-        .map(|((title, _, caption), (set, pairs))| Panel {
+        .map(|(title, caption, pairs, values)| Panel {
             title,
             caption,
-            points: match set.len() {
-                COUNT => Points::Line(set),
+            points: match values.len() {
+                COUNT => Points::Line(values),
                 _ => Points::Square(pairs),
             },
         })

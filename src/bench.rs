@@ -2,7 +2,7 @@
 //! time: a kernel whose words are not the reference's is not timed.
 
 use crate::bulk::Reference;
-use crate::catalog::{Map, Options, Profile, Request, Sequence};
+use crate::catalog::{Map, Options, Profile, Request, Scramble, Sequence};
 use crate::kernels::Generator;
 use crate::vulkan::Device;
 use crate::{Error, Result};
@@ -127,6 +127,30 @@ fn jobs() -> Result<Vec<Job>> {
         o.sequence = Sequence::Hammersley;
         Ok(())
     })?;
+    for (name, scramble, dimensions) in [
+        ("Sobol d=2", Scramble::None, 2),
+        ("Sobol d=8", Scramble::None, 8),
+        ("Sobol d=2, hash-scrambled", Scramble::OwenHash, 2),
+        ("Sobol d=2, Owen-scrambled", Scramble::Owen, 2),
+    ] {
+        add(name, dimensions, None, &|o| {
+            o.sequence = Sequence::Sobol;
+            o.dimensions = Some(dimensions);
+            o.scramble = Some(scramble);
+            Ok(())
+        })?;
+    }
+    for (name, sequence, dimensions) in [
+        ("random d=4", Sequence::Random, 4),
+        ("random-fast d=4", Sequence::RandomFast, 4),
+        ("R2 d=2", Sequence::R2, 2),
+    ] {
+        add(name, dimensions, None, &|o| {
+            o.sequence = sequence;
+            o.dimensions = Some(dimensions);
+            Ok(())
+        })?;
+    }
     let map = |o: &mut Options, name: &str, profile| {
         o.map = Some(Map::from_name(name)?);
         o.profile = profile;

@@ -8,6 +8,8 @@
 //! - [`mod@reference`]: its twin in Rust, function by function.
 //! - [`catalog::Request`]: a checked description of points; [`bulk::Reference`] makes them
 //!   on the CPU, `kernels::Generator` on a device.
+//! - [`blue_noise`]: dither masks and point sets that are made once.
+//! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
 //!
@@ -29,6 +31,7 @@
 
 #[cfg(feature = "gpu")]
 pub mod bench;
+pub mod blue_noise;
 pub mod bulk;
 pub mod catalog;
 #[cfg(feature = "gpu")]
@@ -45,6 +48,8 @@ pub mod irradiance;
 pub mod judge;
 #[cfg(feature = "gpu")]
 pub mod kernels;
+#[cfg(feature = "images")]
+pub mod picture;
 #[cfg(feature = "images")]
 pub mod plot;
 pub mod reference;

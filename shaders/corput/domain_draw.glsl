@@ -8,7 +8,7 @@
 //         from its children. Pairs (x, y) and (z, w) are each a (0,2)-sequence in `index`,
 //         and decorrelated from each other; the lattice and the recurrence are good in all
 //         four together; Latin hypercubes are stratified per dimension.
-// cost:   corput_draw_random one Philox block, _random_fast one pcg4d, _pairs per pair one
+// cost:   corput_draw_random one Philox block, _random_fast one corput_mix4, _pairs per pair one
 //         shuffle and two hash scrambles, _pmj02 per pair 15 Philox blocks.
 // hooks:  none.
 // mirror: src/reference/domain_draw.rs
@@ -27,9 +27,9 @@ uvec4 corput_draw_random(CorputDomain domain) {
     return corput_philox(uvec4(domain.index, 0u, 0u, 4u), domain.pattern);
 }
 
-// Random numbers, by pcg4d.
+// Random numbers, by the cheaper mixer.
 uvec4 corput_draw_random_fast(CorputDomain domain) {
-    return corput_pcg4d(uvec4(domain.index, 3u, domain.pattern));
+    return corput_mix4(uvec4(domain.index, 3u, domain.pattern));
 }
 
 // Two Sobol pairs, shuffled and scrambled by the fast hash.

@@ -30,16 +30,22 @@ uvec2 corput_sobol_pair(uint n) {
     return uvec2(x, corput_reverse_bits(y));
 }
 
+// Nested uniform scrambling in numbers of its own, so that a Sobol sequence scrambled with
+// the same seed has other points: of coordinate 0 or 1, or of the index, which is 2.
+uint corput_pmj02_scramble(uint x, uint which, uvec2 seed) {
+    return corput_owen(x, 0x80000000u | which, seed);
+}
+
 // Where point n stands in the Sobol sequence: a prefix of 2^k points comes from an
 // aligned block of as many.
 uint corput_pmj02_index(uint n, uvec2 seed) {
-    return corput_owen(n, 2u, seed);
+    return corput_pmj02_scramble(n, 2u, seed);
 }
 
 // Point n.
 uvec2 corput_pmj02(uint n, uvec2 seed) {
     uvec2 p = corput_sobol_pair(corput_pmj02_index(n, seed));
-    return uvec2(corput_owen(p.x, 0u, seed), corput_owen(p.y, 1u, seed));
+    return uvec2(corput_pmj02_scramble(p.x, 0u, seed), corput_pmj02_scramble(p.y, 1u, seed));
 }
 
 #endif

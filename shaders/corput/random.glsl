@@ -10,7 +10,7 @@
 //         matrix scrambling. Headers take numbers below 2^16, a host those from there on.
 // range:  every uint; results are fractions of 2^32.
 // cost:   Philox 20 wide products and 60 other instructions, for four numbers; random_fast
-//         12 products and 22; pcg32_next 3 products, pcg32_advance up to 9 for each bit
+//         13 products and 29; pcg32_next 3 products, pcg32_advance up to 9 for each bit
 //         of the distance.
 // hooks:  none.
 // mirror: src/reference/random.rs
@@ -43,10 +43,9 @@ uint corput_random(uint index, uint dimension, uvec2 seed) {
     return block[dimension & 3u];
 }
 
-// The same by the cheaper mixer, whose good upper half is folded onto the weak lower half.
+// The same by the cheaper mixer.
 uint corput_random_fast(uint index, uint dimension, uvec2 seed) {
-    uint x = corput_pcg4d(uvec4(index, dimension, seed)).w;
-    return x ^ (x >> 16);
+    return corput_mix(uvec4(index, dimension, seed));
 }
 
 // state * multiplier + increment modulo 2^64.
@@ -62,7 +61,8 @@ CorputPcg32 corput_pcg32_next(CorputPcg32 p) {
         corput_pcg32_affine(p.state, uvec2(0x4c957f2du, 0x5851f42du), p.increment), p.increment);
 }
 
-// A generator, seeded as its author does. The highest bit of `stream` is ignored.
+// A generator, seeded as its author does. The highest bit of `stream` is ignored. Generators
+// of successive seeds or streams start out alike: give each a state from corput_random.
 CorputPcg32 corput_pcg32_seed(uvec2 state, uvec2 stream) {
     uvec2 increment = uvec2((stream.x << 1) | 1u, (stream.y << 1) | (stream.x >> 31));
     CorputPcg32 p = corput_pcg32_next(CorputPcg32(uvec2(0u), increment));

@@ -40,7 +40,8 @@ uint column_value(uint n, Column c) {
 #include "cursor.glsl"
 
 float column_unit(uint fraction, Column c) {
-    return corput_unit_floor(fraction);
+    // Faure's permutations keep 0, so that points lie on lower edges, as unscrambled ones do.
+    return c.kind == FAURE ? corput_unit_ceil(fraction) : corput_unit_floor(fraction);
 }
 
 #endif

@@ -54,7 +54,7 @@ uint column_scrambled(uint x, Column c) {
 
 uint column_pmj02(uint n, Column c) {
     uvec2 p = corput_sobol_pair(corput_pmj02_index(n, uvec2(c.seed_low, c.seed_high)));
-    return corput_owen(c.dimension == 0u ? p.x : p.y, c.dimension, uvec2(c.seed_low, c.seed_high));
+    return corput_pmj02_scramble(c.dimension == 0u ? p.x : p.y, c.dimension, uvec2(c.seed_low, c.seed_high));
 }
 
 #ifdef COLUMN_TABLE

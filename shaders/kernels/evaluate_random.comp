@@ -38,6 +38,8 @@ uvec4 evaluate(uvec4 a) {
         return one(corput_owen(a.x, a.y, a.zw));
     case 10u:
         return one(corput_owen_hash(a.x, a.y));
+    case 12u:
+        return corput_mix4(a);
     default:
         return one(corput_matrix_scramble(a.x, a.y, a.zw));
     }

@@ -3,12 +3,14 @@
 mod column;
 mod irradiance;
 mod pairs;
+mod stored;
 
 pub use irradiance::{RadianceMap, irradiance_sum, row_edges, sum_scale};
 pub use pairs::{
     Columns, MAX_PAIR_DIMENSIONS, NearestWords, l2_from_sum, nearest_words, pair_kind_of,
     pair_scale, pair_sum,
 };
+pub use stored::Stored;
 
 use crate::Result;
 use crate::catalog::{Engine, Map, Output, Profile, Request};

@@ -121,6 +121,13 @@ const fn strata(name: &'static str, header: &'static str, id: u32, kind: Kind) -
     }
 }
 
+const fn blue_noise(name: &'static str, header: &'static str, id: u32) -> Function {
+    Function {
+        kernel: "evaluate_blue_noise",
+        ..integer(name, header, id, Kind::Words)
+    }
+}
+
 /// Every function of the exact profile.
 ///
 /// Bounds of inverses are against the exact inverse of the given floats: the concentric
@@ -187,6 +194,7 @@ pub const FUNCTIONS: &[Function] = &[
     ),
     random("hash", "hash", 0),
     random("pcg4d", "hash", 1),
+    random("mix4", "hash", 12),
     random("seed", "hash", 2),
     random("philox", "random", 3),
     random("random", "random", 4),
@@ -247,6 +255,9 @@ pub const FUNCTIONS: &[Function] = &[
     domain("draw_sobol", "domain_sobol", 11),
     domain("draw_sobol_owen", "domain_sobol", 12),
     domain("draw_halton", "domain_halton", 13),
+    blue_noise("blue_noise", "blue_noise", 0),
+    blue_noise("blue_noise_shift", "blue_noise", 1),
+    blue_noise("screen_space", "screen_space", 2),
     frame("frame_tangent", 0, 4.0),
     frame("frame_bitangent", 1, 4.0),
     frame("frame_to_world", 2, 4.0),

@@ -27,8 +27,8 @@ impl Sequence {
                 source: "Salmon, Moraes, Dror and Shaw 2011",
             },
             Self::RandomFast => Guide {
-                what: "random numbers by counter, pcg4d",
-                purpose: "random numbers where speed counts; the lowest bits are weak",
+                what: "random numbers by counter, pcg4d with half a third round",
+                purpose: "random numbers where speed counts",
                 points: "any number; nothing is guaranteed",
                 source: "Jarzynski and Olano 2020",
             },

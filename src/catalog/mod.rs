@@ -11,7 +11,7 @@ mod sequence;
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use guide::Guide;
 pub use map::{MAPS, Map};
-pub use request::{Engine, Options, Output, Request};
+pub use request::{Engine, Options, Output, Request, check_map};
 pub use scramble::{Order, SCRAMBLES, Scramble};
 pub use sequence::{SEQUENCES, Sequence};
 

@@ -81,6 +81,42 @@ pub enum Output {
     Floats,
 }
 
+/// Checks that points of so many dimensions can be mapped and written as asked.
+///
+/// # Errors
+/// A refusal that says what was asked, what the limit is and what to do.
+pub fn check_map(
+    map: Option<&Map>,
+    dimensions: u32,
+    fractions: bool,
+    with_pdf: bool,
+) -> Result<()> {
+    if let Some(map) = map
+        && dimensions != Map::DIMENSIONS
+    {
+        return Err(Error::MapDimensions {
+            map: map.name,
+            needed: Map::DIMENSIONS,
+            given: dimensions,
+        });
+    }
+    if map.is_some() && fractions {
+        return Err(Error::Arguments {
+            asked: "--fractions with --map".into(),
+            limit: "a map's results are floats; only points have fractions".into(),
+            remedy: "drop one of the two".into(),
+        });
+    }
+    if with_pdf && map.is_none() {
+        return Err(Error::Arguments {
+            asked: "--with-pdf without --map".into(),
+            limit: "only maps have a pdf; that of the points is 1".into(),
+            remedy: "add --map NAME".into(),
+        });
+    }
+    Ok(())
+}
+
 /// Points to make, as [`Request::new`] checks them. Whoever changes a member answers for
 /// the combination.
 #[derive(Clone, Debug)]
@@ -146,27 +182,12 @@ impl Request {
             scramble,
             warnings,
         } = columns::make(options)?;
-        if options.map.is_some() && columns.len() != Map::DIMENSIONS as usize {
-            return Err(Error::MapDimensions {
-                map: options.map.map_or("", |map| map.name),
-                needed: Map::DIMENSIONS,
-                given: columns.len() as u32,
-            });
-        }
-        if options.map.is_some() && options.fractions {
-            return Err(Error::Arguments {
-                asked: "--fractions with --map".into(),
-                limit: "a map's results are floats; only points have fractions".into(),
-                remedy: "drop one of the two".into(),
-            });
-        }
-        if options.with_pdf && options.map.is_none() {
-            return Err(Error::Arguments {
-                asked: "--with-pdf without --map".into(),
-                limit: "only maps have a pdf; that of the points is 1".into(),
-                remedy: "add --map NAME".into(),
-            });
-        }
+        check_map(
+            options.map,
+            columns.len() as u32,
+            options.fractions,
+            options.with_pdf,
+        )?;
         Ok(Self {
             sequence: options.sequence,
             columns,

@@ -9,7 +9,7 @@ use crate::{Error, Result};
 pub enum Sequence {
     /// Random numbers by counter: Philox-4x32-10, Salmon et al. 2011.
     Random,
-    /// Random numbers by counter: pcg4d, Jarzynski and Olano 2020.
+    /// Random numbers by counter: pcg4d, Jarzynski and Olano 2020, and half a third round.
     RandomFast,
     /// Random numbers in sequence: PCG32, O'Neill 2014.
     Pcg32,

@@ -53,23 +53,23 @@ pub fn cases() -> Result<Vec<Case>> {
 
 /// One map over points of every family.
 fn fused(cases: &mut Vec<Case>) -> Result<()> {
-    let list: [(&str, &dyn Fn(&mut Options)); 7] = [
-        ("hammersley", &|o| {
+    let list = [
+        change("hammersley", |o| {
             o.sequence = Sequence::Hammersley;
             o.count = 1_000_003;
         }),
-        ("halton 5,8161", &|o| o.bases = Some(vec![5, 8161])),
-        ("sobol owen", &|o| {
+        change("halton 5,8161", |o| o.bases = Some(vec![5, 8161])),
+        change("sobol owen", |o| {
             o.sequence = Sequence::Sobol;
             o.scramble = Some(Scramble::Owen);
         }),
-        ("random", &|o| o.sequence = Sequence::Random),
-        ("stratified", &|o| {
+        change("random", |o| o.sequence = Sequence::Random),
+        change("stratified", |o| {
             o.sequence = Sequence::Stratified;
             o.count = 1_000_000;
         }),
-        ("halton owen", &|o| o.scramble = Some(Scramble::Owen)),
-        ("r2", &|o| o.sequence = Sequence::R2),
+        change("halton owen", |o| o.scramble = Some(Scramble::Owen)),
+        change("r2", |o| o.sequence = Sequence::R2),
     ];
     for (name, change) in list {
         cases.push(case(format!("{name} cosine-hemisphere"), "fused", |o| {

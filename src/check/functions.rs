@@ -1,5 +1,6 @@
 //! Rows of the exact profile: device, reference and judge on the same arguments.
 
+use super::blue_noise;
 use super::inputs::arguments;
 use super::rows::{Row, Verdict};
 use super::{domain, net, random, strata};
@@ -174,6 +175,7 @@ fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
         "frame_bitangent" => spatial(frame::frame(v).bitangent, 0),
         "frame_to_world" => spatial(frame::frame_to_world(frame::frame(v), local(a[3])), 0),
         "frame_to_local" => spatial(frame::frame_to_local(frame::frame(v), local(a[3])), 0),
+        "blue_noise" | "blue_noise_shift" | "screen_space" => blue_noise::reference(name, a),
         // A name that is not of the catalogue is a mismatch everywhere.
         _ => random::reference(name, a)
             .or_else(|| net::reference(name, a))

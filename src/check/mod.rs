@@ -4,6 +4,7 @@
 //! the judge finds the error within its bound; a row of the native profile when the
 //! judge finds it within what Vulkan's precision tables allow.
 
+mod blue_noise;
 mod cases;
 mod domain;
 mod functions;
@@ -18,6 +19,7 @@ mod random;
 mod rows;
 mod strata;
 
+pub use blue_noise::compare_mask;
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};
 pub use native::{NATIVE, NativeRow, compare_native};
@@ -121,6 +123,9 @@ pub fn run(
     }
     if wanted(&["nearest", "distance"]) {
         add(pairs::check_nearest(device)?);
+    }
+    if wanted(&["blue_noise_mask", "void_and_cluster"]) {
+        add(blue_noise::check(device)?);
     }
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {

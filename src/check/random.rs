@@ -12,6 +12,7 @@ pub fn reference(name: &str, a: [u32; 4]) -> Option<[u32; 4]> {
     Some(match name {
         "hash" => a.map(hash::hash),
         "pcg4d" => hash::pcg4d(v).to_array(),
+        "mix4" => hash::mix4(v).to_array(),
         "seed" => one(hash::seed(low, a[2], a[3])),
         "philox" => random::philox(v, uvec2(!a[0], a[1].wrapping_add(a[2]))).to_array(),
         "random" => one(random::random(a[0], a[1], high)),

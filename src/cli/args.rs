@@ -29,7 +29,7 @@ pub enum Command {
     /// List the Vulkan devices, their limits and what a probe of their floats finds.
     Devices(DevicesArgs),
     /// Make points, or samples of a map over them, and write them to a file.
-    Generate(GenerateArgs),
+    Generate(Box<GenerateArgs>),
     /// Compare every kernel and function with the CPU reference on a device.
     Check(CheckArgs),
     /// Say how good a set of points in [0, 1)^d is.
@@ -57,9 +57,19 @@ pub struct DevicesArgs {
 pub struct GenerateArgs {
     #[arg(help = guide::sequences())]
     pub sequence: String,
-    /// Points to make: 1 to 2^32.
+    /// Points to make: 1 to 2^32; of blue-noise to 65536.
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
-    pub count: u64,
+    pub count: Option<u64>,
+    /// blue-noise-mask: pixels along a side, 4 to 256.
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub size: Option<u64>,
+    /// blue-noise-mask: values of a pixel, 1 or 2 [default: 1].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub channels: Option<u64>,
+    /// blue-noise-mask: frames of a mask over time, 1 to 16; size x size x frames is at
+    /// most 65536 [default: 1].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub frames: Option<u64>,
     /// Index of the first point.
     #[arg(long, default_value = "0", value_parser = whole, allow_hyphen_values = true)]
     pub first: u64,
@@ -106,7 +116,7 @@ pub struct GenerateArgs {
     /// Device by index or part of its name, or cpu for the reference.
     #[arg(long)]
     pub device: Option<String>,
-    /// npy, raw or csv [default: from the file's ending; npy on standard output].
+    /// npy, raw or csv; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
     #[arg(long)]
     pub format: Option<String>,
     /// The file; - is standard output.

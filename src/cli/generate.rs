@@ -1,7 +1,7 @@
 //! `corput generate`.
 
 use super::args::GenerateArgs;
-use super::{host, interrupt, progress};
+use super::{guide, host, interrupt, mask, points, progress};
 use corput::bulk::Reference;
 use corput::catalog::{Engine, Map, Options, Order, Output, Profile, Request, Scramble, Sequence};
 use corput::kernels::Generator;
@@ -12,16 +12,16 @@ use serde_json::{Value, json};
 use std::sync::Arc;
 
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
+    match args.sequence.as_str() {
+        mask::NAME => return mask::run(args),
+        points::NAME => return points::run(args),
+        _ => mask::refuse(args)?,
+    }
     let request = request(args)?;
     for warning in &request.warnings {
         eprintln!("corput: warning: {warning}");
     }
-    let target = Target::from(args.out.as_path());
-    let format = match (&args.format, &target) {
-        (Some(name), _) => name.parse()?,
-        (None, Target::Stdout) => Format::Npy,
-        (None, Target::File(path)) => Format::from_path(path)?,
-    };
+    let (target, format) = output(args)?;
     let layout = Layout {
         rows: request.count,
         columns: request.words_per_point(),
@@ -45,20 +45,41 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
         &target,
         format,
         layout,
-        arguments(args, &request, device.as_ref()),
+        arguments(args, request.scramble, device.as_ref()),
     )?;
-    stream(engine.as_mut(), &request, sink)?;
+    stream(engine.as_mut(), layout, sink)?;
     if let Some(device) = &device {
         host::validated(device.instance())?;
     }
     Ok(())
 }
 
+/// Where the points go, and as what.
+pub fn output(args: &GenerateArgs) -> Result<(Target, Format)> {
+    let target = Target::from(args.out.as_path());
+    let format = match (&args.format, &target) {
+        (Some(name), _) => name.parse()?,
+        (None, Target::Stdout) => Format::Npy,
+        (None, Target::File(path)) => Format::from_path(path)?,
+    };
+    Ok((target, format))
+}
+
+/// The points asked for.
+pub fn count(args: &GenerateArgs) -> Result<u64> {
+    args.count.ok_or_else(|| Error::Arguments {
+        asked: format!("generate {} without --count", args.sequence),
+        limit: "points are as many as one asks for".into(),
+        remedy: "add --count 1024".into(),
+    })
+}
+
 fn request(args: &GenerateArgs) -> Result<Request> {
-    let sequence = Sequence::from_name(&args.sequence)?;
+    let sequence = Sequence::from_name(&args.sequence)
+        .map_err(|_| Error::unknown_name("sequence", &args.sequence, &guide::known()))?;
     Request::new(&Options {
         sequence,
-        count: args.count,
+        count: count(args)?,
         first: args.first,
         dimensions: args.dims,
         bases: args.bases.clone(),
@@ -92,14 +113,14 @@ fn scramble(sequence: Sequence, name: &str) -> Result<Scramble> {
 }
 
 /// Chunk after chunk from the engine to the file.
-fn stream(engine: &mut dyn Engine, request: &Request, mut sink: Sink) -> Result<()> {
-    let bar = progress::points(request.count);
-    let width = u64::from(request.words_per_point());
+pub fn stream(engine: &mut dyn Engine, layout: Layout, mut sink: Sink) -> Result<()> {
+    let bar = progress::points(layout.rows);
+    let width = u64::from(layout.columns);
     let mut done = 0;
-    while done < request.count {
-        let points = engine.chunk().clamp(1, request.count - done);
+    while done < layout.rows {
+        let points = engine.chunk().clamp(1, layout.rows - done);
         engine.make(done, points, &mut |words| {
-            interrupt::stop(bar.position(), request.count)?;
+            interrupt::stop(bar.position(), layout.rows)?;
             sink.write(words)?;
             bar.inc(words.len() as u64 / width);
             Ok(())
@@ -113,7 +134,7 @@ fn stream(engine: &mut dyn Engine, request: &Request, mut sink: Sink) -> Result<
 
 /// What a sidecar records: the arguments, and nothing that changes the bytes of the
 /// exact profile but them.
-fn arguments(args: &GenerateArgs, request: &Request, device: Option<&Arc<Device>>) -> Value {
+pub fn arguments(args: &GenerateArgs, scramble: Scramble, device: Option<&Arc<Device>>) -> Value {
     json!({
         "sequence": args.sequence,
         "count": args.count,
@@ -123,7 +144,7 @@ fn arguments(args: &GenerateArgs, request: &Request, device: Option<&Arc<Device>
         "total": args.total,
         "index_first": args.index_first,
         "seed": args.seed.unwrap_or(0),
-        "scramble": request.scramble.name(),
+        "scramble": scramble.name(),
         "order": args.order,
         "grid": args.grid.as_ref().map(|grid| &grid.0),
         "generator": args.generator,

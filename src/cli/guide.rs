@@ -1,5 +1,6 @@
 //! What `generate --help` says of sequences, scrambles and maps, from the catalogue.
 
+use super::{mask, points};
 use corput::catalog::{MAPS, SCRAMBLES, SEQUENCES, Scramble, Sequence};
 
 /// Names in a row.
@@ -11,9 +12,15 @@ fn scrambles_of(sequence: Sequence) -> String {
     names(sequence.scrambles().iter().map(|scramble| scramble.name()))
 }
 
+/// What can be generated: the sequences, and what the host makes whole.
+pub fn known() -> Vec<&'static str> {
+    let sequences = SEQUENCES.iter().map(|sequence| sequence.name());
+    sequences.chain([points::NAME, mask::NAME]).collect()
+}
+
 /// Help for the sequence.
 pub fn sequences() -> String {
-    names(SEQUENCES.iter().map(|sequence| sequence.name()))
+    names(known())
 }
 
 /// Help for `--total`.

@@ -10,8 +10,10 @@ mod guide;
 mod headers;
 mod host;
 mod interrupt;
+mod mask;
 mod measure;
 mod plot;
+mod points;
 mod progress;
 
 use args::{Cli, Command};

@@ -5,7 +5,7 @@ mod set;
 use super::args::PlotArgs;
 use super::interrupt;
 use corput::plot::{SheetStyle, Stack, sheet, to_png};
-use corput::report::save;
+use corput::report::save_with;
 use corput::{Error, Result};
 use set::Set;
 use std::path::Path;
@@ -36,6 +36,12 @@ pub fn run(args: &PlotArgs) -> anyhow::Result<()> {
         return Err(Error::ZeroCount { what: "--points" }.into());
     }
     interrupt::clean_up();
+    save_with(&args.out, || draw(args, picture))?;
+    Ok(())
+}
+
+/// The bytes of the picture.
+fn draw(args: &PlotArgs, picture: Picture) -> Result<Vec<u8>> {
     let sets = args
         .files
         .iter()
@@ -60,10 +66,9 @@ pub fn run(args: &PlotArgs) -> anyhow::Result<()> {
     };
     let svg = sheet(&stacks, &style)?;
     match picture {
-        Picture::Svg => save(&args.out, svg.as_bytes())?,
-        Picture::Png => save(&args.out, &to_png(&svg, SCALE)?)?,
+        Picture::Svg => Ok(svg.into_bytes()),
+        Picture::Png => to_png(&svg, SCALE),
     }
-    Ok(())
 }
 
 #[derive(Clone, Copy)]

@@ -142,7 +142,7 @@ pub enum NetScramble {
 pub enum Generator {
     /// Philox-4x32-10.
     Philox,
-    /// pcg4d.
+    /// pcg4d and half a third round.
     Pcg4d,
     /// PCG32, which is sequential.
     Pcg32,

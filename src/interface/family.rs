@@ -48,7 +48,7 @@ pub mod column_kind {
     pub const PMJ02: u32 = 7;
     /// Philox-4x32-10.
     pub const PHILOX: u32 = 8;
-    /// pcg4d.
+    /// pcg4d and half a third round.
     pub const PCG4D: u32 = 9;
     /// PCG32.
     pub const PCG32: u32 = 10;

@@ -111,6 +111,31 @@ push_constants! {
     }
 }
 
+push_constants! {
+    /// Arguments of the void-and-cluster kernel.
+    MaskPush {
+        /// Columns of a frame.
+        width,
+        /// Rows of a frame.
+        height,
+        /// Frames.
+        frames,
+        /// Rows of a frame that a change reaches.
+        span,
+        /// Energies in the table, by squared distance.
+        terms,
+        /// Pixels to toggle, one after the other.
+        passes,
+        /// Bit 0: whether even passes take a pixel away; bit 1: whether odd ones do.
+        removes,
+        /// Rank of the first.
+        rank,
+        /// Added to the rank after each pass; 0 ranks nothing, and stops at a pixel that
+        /// returns to its place.
+        rank_step,
+    }
+}
+
 /// What an std430 array holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {

@@ -15,21 +15,30 @@ pub fn hash(x: u32) -> u32 {
     x as u32
 }
 
-/// Jarzynski and Olano's pcg4d.
+/// Jarzynski and Olano's pcg4d: two rounds.
 #[must_use]
 pub fn pcg4d(v: [u32; 4]) -> [u32; 4] {
-    const MODULUS: u128 = 1 << 32;
-    let mut v = v.map(|x| (u128::from(x) * 1_664_525 + 1_013_904_223) % MODULUS);
-    for round in 0..2 {
-        // Each word takes the product of two others, in this order.
-        for (to, a, b) in [(0, 1, 3), (1, 2, 0), (2, 0, 1), (3, 1, 2)] {
-            v[to] = (v[to] + v[a] * v[b]) % MODULUS;
-        }
-        if round == 0 {
-            v = v.map(|x| x ^ (x / 65_536));
-        }
+    let v = v.map(|x| (u64::from(x) * 1_664_525 + 1_013_904_223) % (1 << 32));
+    round(folded(round(v))).map(|x| x as u32)
+}
+
+/// A third round of pcg4d, folded.
+#[must_use]
+pub fn mix4(v: [u32; 4]) -> [u32; 4] {
+    folded(round(folded(pcg4d(v).map(u64::from)))).map(|x| x as u32)
+}
+
+/// Each word takes the product of two others, in this order.
+fn round(mut v: [u64; 4]) -> [u64; 4] {
+    for (to, a, b) in [(0, 1, 3), (1, 2, 0), (2, 0, 1), (3, 1, 2)] {
+        v[to] = ((u128::from(v[to]) + u128::from(v[a]) * u128::from(v[b])) % (1 << 32)) as u64;
     }
-    v.map(|x| x as u32)
+    v
+}
+
+/// The upper 16 bits of each word added to the lower ones without carry.
+fn folded(v: [u64; 4]) -> [u64; 4] {
+    v.map(|x| x ^ (x / 65_536))
 }
 
 /// `rounds` rounds of Philox-4x32 of Salmon et al. 2011, whose keys are a Weyl sequence.

@@ -5,12 +5,14 @@ mod generator;
 mod irradiance;
 mod mapper;
 mod pairs;
+mod void_and_cluster;
 
 pub use evaluator::Evaluator;
 pub use generator::Generator;
 pub use irradiance::{IrradianceSum, Irradiator};
 pub use mapper::Mapper;
 pub use pairs::Pairs;
+pub use void_and_cluster::VoidAndCluster;
 
 use crate::interface::{KERNELS, Kernel};
 use crate::vulkan::{Device, Pipeline, PipelineDescription, Probe};

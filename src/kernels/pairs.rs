@@ -3,7 +3,7 @@
 use super::{constant, groups, kernel, pipeline, spirv};
 use crate::Result;
 use crate::interface::{Kernel, PairsPush};
-use crate::vulkan::{Access, Buffer, Device, DeviceKind, Pipeline};
+use crate::vulkan::{Access, Buffer, Device, Pipeline};
 use std::sync::Arc;
 
 /// Points on the device, and a kernel over their pairs.
@@ -22,11 +22,17 @@ pub type Progress<'a> = &'a mut dyn FnMut(u64, u64) -> Result<()>;
 /// Iterations of an invocation's loops at most: llvmpipe ends them after 65,535.
 const ITERATIONS: u32 = 60_000;
 
-/// Coordinates of pairs that a dispatch looks at: half a second on the slowest device.
-const STEPS: u64 = 1 << 25;
+/// Coordinates of pairs that the first dispatch looks at: short on the slowest device.
+const FIRST_STEPS: u64 = 1 << 20;
 
-/// The same on devices that are not a CPU.
-const STEPS_GPU: u64 = 1 << 29;
+/// And any dispatch at most.
+const MAX_STEPS: u64 = 1 << 30;
+
+/// Rows of a dispatch at most: 16 MiB of results.
+const MAX_ROWS: u64 = 1 << 20;
+
+/// Seconds that a dispatch is to take.
+const GOAL: std::ops::Range<f64> = 0.02..0.2;
 
 impl Pairs {
     /// Points as fractions of 2^32, `count` of each of `dimensions` columns, for sums of
@@ -125,27 +131,21 @@ impl Pairs {
         take: &mut dyn FnMut(u32, [u32; 4]),
         progress: Progress,
     ) -> Result<()> {
-        let steps = match self.device.info().kind {
-            DeviceKind::Cpu => STEPS,
-            _ => STEPS_GPU,
-        };
         let block = (ITERATIONS / (self.dimensions + 1)).clamp(1, 4096);
         let work = u64::from(block) * u64::from(self.dimensions.max(1));
-        let most = (steps / work).clamp(64, 1 << 20) as u32;
-        let mut results = Buffer::new(
-            &self.device,
-            16 * u64::from(most.min(self.count).max(1)),
-            Access::Readback,
-        )?;
+        let mut steps = FIRST_STEPS;
+        let most = MAX_ROWS.min(u64::from(self.count.max(1)));
+        let mut results = Buffer::new(&self.device, 16 * most, Access::Readback)?;
         let total = u64::from(self.count) * u64::from(self.count.saturating_sub(1)) / 2;
-        let mut first_other = 1;
+        let (mut first_other, mut done) = (1, 0);
         while first_other < self.count {
             let end_other = first_other.saturating_add(block).min(self.count);
             // Later rows have no later point in this block.
             let end_row = end_other - 1;
             let mut first_row = 0;
             while first_row < end_row {
-                let rows = most.min(end_row - first_row);
+                let fits = (steps / work).clamp(64.min(most), most) as u32;
+                let rows = fits.min(end_row - first_row);
                 let push = PairsPush {
                     first_row,
                     rows,
@@ -155,7 +155,7 @@ impl Pairs {
                     dimensions: self.dimensions,
                     scale,
                 };
-                self.device.run(
+                let timing = self.device.run(
                     &self.pipeline,
                     &[(0, &results), (1, &self.words)],
                     &push.bytes(),
@@ -167,11 +167,18 @@ impl Pairs {
                         take(row, words);
                     }
                 })?;
+                let later = |row: u32| u64::from(end_other - first_other.max(row + 1));
+                done += (first_row..first_row + rows).map(later).sum::<u64>();
                 first_row += rows;
+                let seconds = timing.device_ns.unwrap_or(timing.host_ns) * 1e-9;
+                if seconds < GOAL.start {
+                    steps = (2 * steps).min(MAX_STEPS);
+                } else if seconds > GOAL.end {
+                    steps = (steps / 2).max(1);
+                }
+                progress(done, total)?;
             }
             first_other = end_other;
-            let done = u64::from(end_other) * u64::from(end_other - 1) / 2;
-            progress(done, total)?;
         }
         Ok(())
     }

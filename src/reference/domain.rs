@@ -5,7 +5,7 @@
 //! value.
 //! Mirror: `shaders/corput/domain.glsl`.
 
-use crate::reference::hash::{pcg4d, seed as derived_seed};
+use crate::reference::hash::{mix4, seed as derived_seed};
 use glam::{UVec2, Vec4Swizzles, uvec4};
 
 /// Which scrambled copy of a sequence is drawn from, and which of its points.
@@ -23,7 +23,7 @@ pub struct Domain {
 #[inline]
 #[must_use]
 pub fn domain(pixel: UVec2, frame: u32, index: u32, seed: u32) -> Domain {
-    let v = pcg4d(uvec4(pixel.x, pixel.y, frame, seed));
+    let v = mix4(uvec4(pixel.x, pixel.y, frame, seed));
     Domain {
         pattern: v.xy(),
         index,
@@ -35,7 +35,7 @@ pub fn domain(pixel: UVec2, frame: u32, index: u32, seed: u32) -> Domain {
 #[inline]
 #[must_use]
 pub fn domain_child(parent: Domain, key: u32) -> Domain {
-    let v = pcg4d(uvec4(parent.pattern.x, parent.pattern.y, key, 0));
+    let v = mix4(uvec4(parent.pattern.x, parent.pattern.y, key, 0));
     Domain {
         pattern: v.xy(),
         index: parent.index,
@@ -60,8 +60,8 @@ pub fn domain_split(parent: Domain, key: u32, size: u32, branch: u32) -> Domain 
 #[inline]
 #[must_use]
 pub fn domain_chain(parent: Domain, key: u32, link: u32) -> Domain {
-    let mut v = pcg4d(uvec4(parent.pattern.x, parent.pattern.y, key, 1));
-    v = pcg4d(uvec4(v.x, v.y, link, 2));
+    let mut v = mix4(uvec4(parent.pattern.x, parent.pattern.y, key, 1));
+    v = mix4(uvec4(v.x, v.y, link, 2));
     Domain {
         pattern: v.xy(),
         index: parent.index,

@@ -6,7 +6,7 @@
 //! Mirror: `shaders/corput/domain_draw.glsl`.
 
 use crate::reference::domain::{Domain, domain_seed};
-use crate::reference::hash::pcg4d;
+use crate::reference::hash::mix4;
 use crate::reference::lattice::{additive, lattice, rotate};
 use crate::reference::owen::owen_hash;
 use crate::reference::pmj02::{pmj02, sobol_pair};
@@ -21,11 +21,11 @@ pub fn draw_random(domain: Domain) -> UVec4 {
     philox(uvec4(domain.index, 0, 0, 4), domain.pattern)
 }
 
-/// Random numbers, by pcg4d.
+/// Random numbers, by the cheaper mixer.
 #[inline]
 #[must_use]
 pub fn draw_random_fast(domain: Domain) -> UVec4 {
-    pcg4d(uvec4(domain.index, 3, domain.pattern.x, domain.pattern.y))
+    mix4(uvec4(domain.index, 3, domain.pattern.x, domain.pattern.y))
 }
 
 /// Two Sobol pairs, shuffled and scrambled by the fast hash.

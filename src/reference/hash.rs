@@ -1,4 +1,4 @@
-//! Hashes: a bijection of 32 bits, a mixer of four words, and a 32-bit seed per dimension
+//! Hashes: a bijection of 32 bits, mixers of four words, and a 32-bit seed per dimension
 //! and purpose.
 //!
 //! Source: Ellis and Wellons 2018, hash-prospector, triple32; Jarzynski and Olano 2020,
@@ -6,7 +6,8 @@
 //! Range: every `u32`. [`hash`] never repeats a value, so hashes of an index are no random
 //! numbers: those collide. The lowest bits of [`pcg4d`] are weak: bit k of each word
 //! depends on bits 0 to k + 16 of the arguments alone, so it has a period of 2^(k + 17) in
-//! each, and the lowest of x may be biased 3 to 1. Bits 16 to 31 are sound.
+//! each, and the lowest of x may be biased 3 to 1; high bits of the arguments hardly reach
+//! the low ones. [`mix`] has neither fault.
 //! Mirror: `shaders/corput/hash.glsl`.
 
 use glam::{UVec2, UVec4, uvec4};
@@ -43,11 +44,31 @@ pub fn pcg4d(mut v: UVec4) -> UVec4 {
     v
 }
 
+/// Four words of four. Products carry upwards only, so two rounds leave the low bits weak:
+/// a third round, and its upper halves folded onto the lower, mend that.
+#[inline]
+#[must_use]
+pub fn mix4(mut v: UVec4) -> UVec4 {
+    v = pcg4d(v);
+    v ^= v >> 16;
+    v.x = v.x.wrapping_add(v.y.wrapping_mul(v.w));
+    v.y = v.y.wrapping_add(v.z.wrapping_mul(v.x));
+    v.z = v.z.wrapping_add(v.x.wrapping_mul(v.y));
+    v.w = v.w.wrapping_add(v.y.wrapping_mul(v.z));
+    v ^ (v >> 16)
+}
+
+/// One word of four: the first of [`mix4`].
+#[inline]
+#[must_use]
+pub fn mix(v: UVec4) -> u32 {
+    mix4(v).x
+}
+
 /// A seed of 32 bits for one dimension and one purpose, which is any number: whoever draws
-/// several seeds for one dimension gives each use its own. The last word of the mixer has
-/// seen all the others; the hash makes its lowest bits as good as the rest.
+/// several seeds for one dimension gives each use its own.
 #[inline]
 #[must_use]
 pub fn seed(seed: UVec2, dimension: u32, purpose: u32) -> u32 {
-    hash(pcg4d(uvec4(seed.x, seed.y, dimension, purpose)).w)
+    mix(uvec4(seed.x, seed.y, dimension, purpose))
 }

@@ -19,10 +19,12 @@
 #![expect(
     clippy::manual_abs_diff,
     clippy::excessive_precision,
+    clippy::needless_range_loop,
     reason = "statements and literals read as in the shaders"
 )]
 
 pub mod bits;
+pub mod blue_noise;
 pub mod discrepancy;
 pub mod disk;
 pub mod distance;
@@ -50,6 +52,7 @@ pub mod primes;
 pub mod radical_inverse;
 pub mod random;
 pub mod scrambled_radical_inverse;
+pub mod screen_space;
 pub mod sobol;
 pub mod sobol_directions;
 pub mod stratified;

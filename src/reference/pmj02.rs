@@ -26,12 +26,20 @@ pub fn sobol_pair(n: u32) -> UVec2 {
     uvec2(x, reverse_bits(y))
 }
 
+/// Nested uniform scrambling in numbers of its own, so that a Sobol sequence scrambled with
+/// the same seed has other points: of coordinate 0 or 1, or of the index, which is 2.
+#[inline]
+#[must_use]
+pub fn pmj02_scramble(x: u32, which: u32, seed: UVec2) -> u32 {
+    owen(x, 0x8000_0000 | which, seed)
+}
+
 /// Where point n stands in the Sobol sequence: a prefix of 2^k points comes from an
 /// aligned block of as many.
 #[inline]
 #[must_use]
 pub fn pmj02_index(n: u32, seed: UVec2) -> u32 {
-    owen(n, 2, seed)
+    pmj02_scramble(n, 2, seed)
 }
 
 /// Point n.
@@ -39,5 +47,5 @@ pub fn pmj02_index(n: u32, seed: UVec2) -> u32 {
 #[must_use]
 pub fn pmj02(n: u32, seed: UVec2) -> UVec2 {
     let p = sobol_pair(pmj02_index(n, seed));
-    uvec2(owen(p.x, 0, seed), owen(p.y, 1, seed))
+    uvec2(pmj02_scramble(p.x, 0, seed), pmj02_scramble(p.y, 1, seed))
 }

@@ -10,7 +10,7 @@
 //! Mirror: `shaders/corput/random.glsl`.
 
 use crate::reference::fixed::{add64, mul64, shr64};
-use crate::reference::hash::pcg4d;
+use crate::reference::hash::mix;
 use glam::{UVec2, UVec4, uvec2, uvec4};
 
 /// PCG32: 64 bits of state, and an odd increment that selects the stream.
@@ -43,12 +43,11 @@ pub fn random(index: u32, dimension: u32, seed: UVec2) -> u32 {
     block[(dimension & 3) as usize]
 }
 
-/// The same by the cheaper mixer, whose good upper half is folded onto the weak lower half.
+/// The same by the cheaper mixer.
 #[inline]
 #[must_use]
 pub fn random_fast(index: u32, dimension: u32, seed: UVec2) -> u32 {
-    let x = pcg4d(uvec4(index, dimension, seed.x, seed.y)).w;
-    x ^ (x >> 16)
+    mix(uvec4(index, dimension, seed.x, seed.y))
 }
 
 /// `state * multiplier + increment` modulo 2^64.
@@ -73,7 +72,8 @@ pub fn pcg32_next(p: Pcg32) -> Pcg32 {
     }
 }
 
-/// A generator, seeded as its author does. The highest bit of `stream` is ignored.
+/// A generator, seeded as its author does. The highest bit of `stream` is ignored. Generators
+/// of successive seeds or streams start out alike: give each a state from [`random`].
 #[inline]
 #[must_use]
 pub fn pcg32_seed(state: UVec2, stream: UVec2) -> Pcg32 {

@@ -11,19 +11,31 @@ pub const NPY_DATA_OFFSET: usize = 4096;
 /// The `.npy` header: [`NPY_DATA_OFFSET`] bytes, format version 1.0.
 ///
 /// Version 1.0 always suffices: its header may have 65,535 bytes, and the
-/// dictionary of a two-dimensional array has under 100.
+/// dictionary of an array of a few axes has under 200.
 #[must_use]
 pub fn npy_header(layout: &Layout) -> Vec<u8> {
+    let shape = format!("({}, {})", layout.rows, layout.columns);
+    header_of(layout.element, &shape)
+}
+
+/// A whole `.npy` file of any shape, row-major; an empty shape is that of one number.
+#[must_use]
+pub fn npy_array(element: Element, shape: &[u32], words: &[u32]) -> Vec<u8> {
+    let axes: String = shape.iter().map(|axis| format!("{axis}, ")).collect();
+    let mut bytes = header_of(element, &format!("({})", axes.trim_end()));
+    bytes.extend(words.iter().flat_map(|word| word.to_le_bytes()));
+    bytes
+}
+
+fn header_of(element: Element, shape: &str) -> Vec<u8> {
     let prefix_len = 10;
     let mut header = Vec::with_capacity(NPY_DATA_OFFSET);
     header.extend_from_slice(b"\x93NUMPY\x01\x00");
     header.extend_from_slice(&((NPY_DATA_OFFSET - prefix_len) as u16).to_le_bytes());
     header.extend_from_slice(
         format!(
-            "{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}), }}",
-            layout.element.descr(),
-            layout.rows,
-            layout.columns
+            "{{'descr': '{}', 'fortran_order': False, 'shape': {shape}, }}",
+            element.descr()
         )
         .as_bytes(),
     );

@@ -26,7 +26,7 @@ mod place;
 mod read;
 mod sink;
 
-pub use encode::{NPY_DATA_OFFSET, npy_header};
+pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
 pub use format::Format;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};
@@ -36,6 +36,7 @@ use crate::error::{Error, Result};
 use place::{Place, failed};
 use std::io::Write;
 use std::path::Path;
+use std::path::PathBuf;
 
 /// Writes a small file whole: aside, then under its name, as a [`Sink`] does.
 ///
@@ -43,16 +44,58 @@ use std::path::Path;
 ///
 /// [`Error::Output`] if it cannot be created, [`Error::Io`] if it cannot be written.
 pub fn save(path: &Path, bytes: &[u8]) -> Result<()> {
-    // Only standard output asks for the format.
-    match Place::open(&Target::File(path.to_owned()), Format::Csv)?.0 {
-        Place::Aside(mut aside) => {
-            aside.fill(bytes)?;
-            aside.sync()?;
-            aside.commit()
+    Document::open(&Target::File(path.to_owned()))?.finish(bytes)
+}
+
+/// As [`save`], for bytes that take time to make: a path that cannot be written is
+/// refused before.
+///
+/// # Errors
+///
+/// As [`save`], and those of `make`, after which nothing is left.
+pub fn save_with<B: AsRef<[u8]>>(path: &Path, make: impl FnOnce() -> Result<B>) -> Result<()> {
+    let document = Document::open(&Target::File(path.to_owned()))?;
+    document.finish(make()?.as_ref())
+}
+
+/// A place for a small binary file, opened before the work whose result it takes.
+///
+/// Dropped without [`Document::finish`], it removes what it made.
+pub struct Document {
+    place: Place,
+    /// The target as messages name it.
+    path: PathBuf,
+}
+
+impl Document {
+    /// Opens the target.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Output`] if it cannot be created, or is a terminal.
+    pub fn open(target: &Target) -> Result<Self> {
+        // Every format but CSV is binary.
+        let (place, path) = Place::open(target, Format::Npy)?;
+        Ok(Self { place, path })
+    }
+
+    /// Writes all bytes, and gives the file its name.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Io`] if they cannot be written.
+    pub fn finish(self, bytes: &[u8]) -> Result<()> {
+        match self.place {
+            Place::Aside(mut aside) => {
+                aside.fill(bytes)?;
+                aside.sync()?;
+                aside.commit()
+            }
+            mut place => place
+                .write_all(bytes)
+                .and_then(|()| place.flush())
+                .map_err(|source| failed("write", &self.path, source)),
         }
-        mut place => place
-            .write_all(bytes)
-            .map_err(|source| failed("write", path, source)),
     }
 }
 

@@ -42,7 +42,7 @@ pub fn composite_neighbours(n: u64) -> Option<[u64; 2]> {
 fn prime_factors(mut n: u64) -> Vec<u64> {
     let mut list = Vec::new();
     let mut p = 2;
-    while p * p <= n {
+    while p <= n / p {
         while n.is_multiple_of(p) {
             list.push(p);
             n /= p;

@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &str); 2] = [
 ];
 
 /// Hooks: the header that needs it, the macro, a definition.
-const HOOKS: [(&str, &str, &str); 6] = [
+const HOOKS: [(&str, &str, &str); 7] = [
     (
         "corput/halton.glsl",
         "CORPUT_PRIME",
@@ -49,6 +49,11 @@ const HOOKS: [(&str, &str, &str); 6] = [
         "corput/envmap.glsl",
         "CORPUT_ENVMAP_EDGE",
         "#define CORPUT_ENVMAP_EDGE(i) (0x3f800000u - (i))\n",
+    ),
+    (
+        "corput/blue_noise.glsl",
+        "CORPUT_BLUE_NOISE",
+        "#define CORPUT_BLUE_NOISE(x, y) ((x) + 16u * (y))\n",
     ),
 ];
 

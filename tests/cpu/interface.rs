@@ -5,9 +5,10 @@
 mod facts;
 mod source;
 
+use corput::blue_noise::MaskShape;
 use corput::interface::{
-    Element, Family, IrradiancePush, KERNELS, PairsPush, PushConstants, WorkPush, column_kind, map,
-    output,
+    Element, Family, IrradiancePush, KERNELS, MaskPush, PairsPush, PushConstants, WorkPush,
+    column_kind, map, output,
 };
 use corput::kernels::spirv;
 use facts::{constants, promised, reflected};
@@ -136,6 +137,7 @@ fn structs_have_the_size_of_their_blocks() {
     check::<WorkPush>(&WorkPush::default().bytes());
     check::<IrradiancePush>(&IrradiancePush::default().bytes());
     check::<PairsPush>(&PairsPush::default().bytes());
+    check::<MaskPush>(&MaskPush::default().bytes());
     let push = WorkPush {
         first: 1,
         invocations: 2,
@@ -184,6 +186,10 @@ fn shaders_repeat_the_right_numbers() {
         .expect("the probe");
     let group = format!("group * {}u", probe.local_size);
     assert!(text("probe.comp").contains(&group), "no `{group}`");
+    // Two keys for each row of a mask.
+    let keys = format!("shared uint row_keys[{}];", 2 * MaskShape::MAX_ROWS);
+    let mask = text("void_and_cluster.comp");
+    assert!(mask.contains(&keys), "no `{keys}`");
     assert_ne!(
         numbers("const uint GRID = 3u;"),
         numbers("pub const GRID: u32 = 2;")

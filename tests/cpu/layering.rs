@@ -14,12 +14,15 @@ const LEVELS: [&[&str]; 7] = [
     &[
         "reference",
         "judge",
+        "blue_noise",
         "irradiance",
         "spirv",
         "vulkan",
         "stats",
     ],
-    &["catalog", "variant", "report", "image", "plot", "compile"],
+    &[
+        "catalog", "variant", "report", "image", "picture", "plot", "compile",
+    ],
     &["kernels", "bulk"],
     &["check"],
     &["bench", "demo", "converge"],

@@ -37,6 +37,24 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
         &[("Domain", "domain"), ("&[u32]", "directions")],
     ),
     ("draw_halton", &[("Domain", "domain"), ("UVec4", "primes")]),
+    // CORPUT_BLUE_NOISE(x, y) reads what the twins get as a slice.
+    (
+        "blue_noise_rank",
+        &[("UVec2", "pixel"), ("UVec2", "size"), ("&[u32]", "ranks")],
+    ),
+    (
+        "blue_noise",
+        &[("UVec2", "pixel"), ("UVec2", "size"), ("&[u32]", "ranks")],
+    ),
+    (
+        "blue_noise_frame",
+        &[
+            ("UVec2", "pixel"),
+            ("u32", "frame"),
+            ("UVec3", "size"),
+            ("&[u32]", "ranks"),
+        ],
+    ),
     // CORPUT_ENVMAP_EDGE(i) reads what the twin gets as a slice.
     (
         "envmap_texel",

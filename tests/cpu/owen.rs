@@ -1,8 +1,13 @@
 //! Scrambles: the judge, bijections that keep elementary intervals, fair and independent
-//! flips.
+//! flips, moments.
 
 #[path = "owen/flips.rs"]
 mod flips;
+#[path = "owen/moments.rs"]
+mod moments;
+#[allow(dead_code, reason = "the battery uses the rest")]
+#[path = "battery/p_value.rs"]
+mod p_value;
 
 use corput::glam::{UVec2, uvec2};
 use corput::judge::random as judge;

@@ -5,8 +5,10 @@ mod nets;
 
 use corput::interface::{Column, NetScramble};
 use corput::judge;
+use corput::reference::hash::seed as derived_seed;
 use corput::reference::owen::{digital_shift, matrix_scramble, owen, owen_hash};
 use corput::reference::pmj02::{pmj02, pmj02_index, sobol_pair};
+use corput::reference::random::random;
 use corput::reference::sobol::{gray, sobol};
 use corput::tables::{SOBOL_DIMENSIONS, sobol_directions, sobol_initial};
 use corput::variant::column_words;
@@ -234,4 +236,53 @@ fn gray_order_has_the_same_prefixes() {
     for n in 0..1 << 12 {
         assert_eq!((gray(n) ^ gray(n + 1)).count_ones(), 1);
     }
+}
+
+/// Slope of log2 of the mean squared error of the integral of (x + y)^2 against log2 of
+/// the number of points, by least squares over 2^4 to 2^10 points and 64 seeds.
+fn slope(point: impl Fn(u32, UVec2) -> [u32; 2]) -> f64 {
+    let exponents: Vec<f64> = (4..=10).map(f64::from).collect();
+    let errors = (4..=10).map(|m| {
+        let squares = (0..64).map(|replicate| {
+            let seed = uvec2(replicate, 0x5eed);
+            let values = (0..1u32 << m).map(|n| {
+                let unit = |u| (f64::from(u) + 0.5) / 4_294_967_296.0;
+                let [x, y] = point(n, seed);
+                (unit(x) + unit(y)).powi(2)
+            });
+            (values.sum::<f64>() / f64::from(1u32 << m) - 7.0 / 6.0).powi(2)
+        });
+        (squares.sum::<f64>() / 64.0).log2()
+    });
+    let errors: Vec<f64> = errors.collect();
+    let mean = |list: &[f64]| list.iter().sum::<f64>() / list.len() as f64;
+    let (x, y) = (mean(&exponents), mean(&errors));
+    let pairs = || exponents.iter().zip(&errors);
+    pairs().map(|(a, b)| (a - x) * (b - y)).sum::<f64>()
+        / pairs().map(|(a, _)| (a - x).powi(2)).sum::<f64>()
+}
+
+/// Owen 1997: of smooth functions the variance under nested scrambling falls like n^-3, up
+/// to a logarithm. Of random points it is n^-1, and of a digital shift n^-2.
+#[test]
+fn scrambled_nets_converge_as_theory_says() {
+    let scrambled = |scramble: &dyn Fn(u32, u32, UVec2) -> u32| {
+        slope(|n, seed| {
+            let p = sobol_pair(n);
+            [scramble(p.x, 0, seed), scramble(p.y, 1, seed)]
+        })
+    };
+    let exact = scrambled(&|x, d, seed| owen(x, d, seed));
+    let hash = scrambled(&|x, d, seed| owen_hash(x, derived_seed(seed, d, 1)));
+    let pmj = slope(|n, seed| pmj02(n, seed).into());
+    let shifted = scrambled(&|x, d, seed| digital_shift(x, derived_seed(seed, d, 0)));
+    let random = slope(|n, seed| [random(n, 0, seed), random(n, 1, seed)]);
+    println!(
+        "owen {exact:.2}, hash {hash:.2}, pmj02 {pmj:.2}, shift {shifted:.2}, random {random:.2}"
+    );
+    for slope in [exact, hash, pmj] {
+        assert!((-3.2..-2.6).contains(&slope), "{slope}");
+    }
+    assert!((-2.3..-1.7).contains(&shifted), "{shifted}");
+    assert!((-1.3..-0.7).contains(&random), "{random}");
 }

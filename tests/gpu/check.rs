@@ -56,3 +56,32 @@ fn dispatches_are_short() {
         }
     });
 }
+
+/// So are those over pairs of points, which adapt to the device, and count every pair.
+#[test]
+fn dispatches_over_pairs_are_short() {
+    use corput::kernels::Pairs;
+    support::on_each_device(|device| {
+        for (count, dimensions) in [(6_000u32, 1), (2_000, 8)] {
+            let words: Vec<u32> = (0..count * dimensions).map(check::mix).collect();
+            for kind in 0..5 {
+                let pairs = Pairs::sums(device, &words, dimensions, kind)
+                    .unwrap_or_else(|error| panic!("{error}"));
+                let (mut last, mut longest) = (std::time::Instant::now(), 0.0f64);
+                let mut counted = 0;
+                pairs
+                    .sum(32, &mut |done, total| {
+                        longest = longest.max(last.elapsed().as_secs_f64());
+                        last = std::time::Instant::now();
+                        assert!(counted <= done && done <= total);
+                        counted = done;
+                        Ok(())
+                    })
+                    .unwrap_or_else(|error| panic!("{error}"));
+                assert_eq!(counted, u64::from(count) * u64::from(count - 1) / 2);
+                println!("kind {kind}, {count} x {dimensions}: {longest:.3} s at most");
+                assert!(longest < 0.5, "kind {kind}: {longest} s");
+            }
+        }
+    });
+}

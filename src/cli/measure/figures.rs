@@ -13,9 +13,11 @@ use serde_json::{Value, json};
 /// Elementary steps that a measure may take without `--all`: some ten seconds.
 const LIMIT: u64 = 1 << 34;
 
-/// Looks at a coordinate that bounds of a star discrepancy, and tests of a point against a
-/// shape that a t-value may take, without `--all` and with it.
-const WORK: [u64; 2] = [1 << 28, 1 << 33];
+/// Looks at a coordinate for the bounds of a star discrepancy, without `--all` and with it.
+const STAR_WORK: [u64; 2] = [1 << 28, 1 << 33];
+
+/// Tests of a point against a shape for a t-value, likewise.
+const NET_WORK: [u64; 2] = [1 << 31, 1 << 36];
 
 /// Up to so many dimensions the nearest pair takes linear time.
 const GRID_DIMENSIONS: usize = 3;
@@ -85,7 +87,7 @@ impl Job<'_> {
                 json: json!({"is": "supremum", "value": value, "exact": true}),
             });
         }
-        let bounds = star_bounds(self.points, self.work(), progress)?;
+        let bounds = star_bounds(self.points, STAR_WORK[usize::from(self.all)], progress)?;
         let (lower, upper) = (bounds.lower, bounds.upper);
         let json = json!({
             "is": "supremum", "lower": lower, "upper": upper, "exact": bounds.is_exact(),
@@ -129,7 +131,7 @@ impl Job<'_> {
                 "the number of points is no power of 2".into(),
             ));
         }
-        let found = t_value(self.points, self.work(), progress)?;
+        let found = t_value(self.points, NET_WORK[usize::from(self.all)], progress)?;
         let d = self.points.columns();
         let json = json!({
             "base": 2, "m": found.m, "t": found.exact(),
@@ -312,10 +314,6 @@ impl Job<'_> {
                 "rings": list,
             }),
         })
-    }
-
-    fn work(&self) -> u64 {
-        WORK[usize::from(self.all)]
     }
 }
 

@@ -272,6 +272,8 @@ fn what_cannot_be_drawn_is_refused() {
             &["missing/p.svg", "folder missing does not exist"],
         ),
         ("two.npy --out file/p.svg", &["file is not a folder"]),
+        // Before the work, which could be long.
+        ("nan.npy --out missing/p.svg", &["folder missing"]),
         (
             "two.npy --kind scater --out p.svg",
             &["unknown kind `scater`", "did you mean `scatter`", "pairs"],

@@ -137,6 +137,19 @@ fn an_interrupted_demonstration_leaves_no_file() {
 }
 
 #[test]
+fn an_interrupted_plot_leaves_no_file() {
+    let desk = Desk::new();
+    desk.make("halton --count 65536 --device cpu", "p.npy");
+    let mut running = Running::start(&desk, "plot p.npy --out p.png");
+    running.wait_for_partial(&desk.path(""), 0);
+    running.signal("INT");
+    let (code, text) = running.end();
+    assert_eq!(code, Some(4), "{text}");
+    assert!(text.contains(" of 65536; nothing was left"), "{text}");
+    assert_eq!(desk.names(), ["p.npy"]);
+}
+
+#[test]
 fn an_interrupted_check_ends_at_once() {
     if skips() {
         return;

@@ -7,7 +7,7 @@ use corput::bulk::{Columns, NearestWords, pair_kind_of};
 use corput::catalog::{Engine, FUNCTIONS, Function, Options, Output, Request};
 use corput::check::{self, Case, NATIVE, Row, arguments};
 use corput::interface::Kernel;
-use corput::kernels::{Evaluator, Generator, Pairs, kernel};
+use corput::kernels::{Evaluator, Generator, Pairs, VoidAndCluster, kernel};
 use corput::variant::{Plan, Work, general, plan};
 use corput::vulkan::{Device, DeviceKind};
 use corput::{compile, headers};
@@ -58,6 +58,8 @@ pub enum Target {
     Portable(&'static str),
     /// A native function, which only the judge knows.
     Native(&'static str),
+    /// Dither masks.
+    Mask,
     /// Points by the general kernel.
     Generate(fn() -> Options),
     /// Points by the kernel that the request gets: a tile, or fused with a map.
@@ -105,6 +107,8 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
             )?;
             Ok(best)
         }),
+        Target::Mask => VoidAndCluster::with_module(device, &words)
+            .and_then(|kernel| check::compare_mask(&kernel)),
         Target::Generate(options) | Target::Tile(options) => {
             let case = Case {
                 name: "points".into(),
@@ -138,6 +142,7 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         Target::Native(_) => named("evaluate_native"),
         Target::Pairs => named("pairs"),
         Target::Nearest => named("nearest"),
+        Target::Mask => named("void_and_cluster"),
         Target::Generate(options) | Target::Tile(options) => {
             planned(device, target, &request(options)).kernel
         }

@@ -3,7 +3,9 @@
 use corput::catalog::{Map, Options, Sequence};
 
 use super::harness::Edit;
-use super::harness::Target::{self, Function, Generate, Native, Nearest, Pairs, Portable, Tile};
+use super::harness::Target::{
+    self, Function, Generate, Mask, Native, Nearest, Pairs, Portable, Tile,
+};
 
 /// What must kill a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,8 +155,10 @@ pub const MUTANTS: &[Mutant] = &[
         "corput_mul64(0xcd9e8d57u, counter.x);\n        uvec2 b = corput_mul64(0xd2511f53u, counter.z)"),
     mutant("a random number ignores the lowest bits of its dimension", Mismatch, Function("random"),
         "corput/random.glsl", "block[dimension & 3u]", "block.x"),
-    mutant("no fold in the fast random numbers", Mismatch, Function("random_fast"),
-        "corput/random.glsl", "return x ^ (x >> 16);", "return x;"),
+    mutant("weak bits of the mixer uncovered", Mismatch, Function("random_fast"),
+        "corput/hash.glsl", "return v ^ (v >> 16);", "return v;"),
+    mutant("no third round of the mixer", Mismatch, Function("seed"),
+        "corput/hash.glsl", "v = corput_pcg4d(v);\n    v ^= v >> 16;\n    v.x += v.y * v.w;", "v = corput_pcg4d(v);\n    v ^= v >> 16;"),
     mutant("no carry in PCG32", Mismatch, Function("pcg32"),
         "corput/random.glsl", "return corput_add64(product, increment);", "return product + increment;"),
     mutant("PCG32 drops a cross product", Mismatch, Function("pcg32"),
@@ -166,7 +170,7 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("a seed ignores its purpose", Mismatch, Function("seed"),
         "corput/hash.glsl", "uvec4(seed, dimension, purpose)", "uvec4(seed, dimension, 0u)"),
     mutant("one round of pcg4d", Mismatch, Function("pcg4d"),
-        "corput/hash.glsl", "v ^= v >> 16;", "v ^= v >> 16;\n    return v;"),
+        "corput/hash.glsl", "v.w += v.y * v.z;\n    v ^= v >> 16;", "v.w += v.y * v.z;\n    return v ^ (v >> 16);"),
     mutant("a shift of the hash off by one", Mismatch, Function("hash"),
         "corput/hash.glsl", "x ^= x >> 11;", "x ^= x >> 12;"),
     mutant("nested scrambling has the purpose of random numbers", Mismatch, Function("owen"),
@@ -317,6 +321,48 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/distance.glsl", "corput_addc(middle.x, low.y)", "uvec2(middle.x, 0u)"),
     mutant("squares compared by their high words", Mismatch, Nearest,
         "corput/distance.glsl", "    return a.x < b.x;", "    return false;"),
+    // Dither masks and screen space.
+    mutant("ties to the highest row", Mismatch, Mask, "kernels/void_and_cluster.comp",
+        "            atomicMin(best_row, best.y);
+        }
+        barrier();
+        uint inverted = 0u - removes;
+        for (uint x = lane; x < push.width; x += gl_WorkGroupSize.x) {
+            uint at = best_row * push.width + x;",
+        "            atomicMin(best_row, ~best.y);
+        }
+        barrier();
+        uint inverted = 0u - removes;
+        for (uint x = lane; x < push.width; x += gl_WorkGroupSize.x) {
+            uint at = ~best_row * push.width + x;"),
+    mutant("a mask does not wrap around", Mismatch, Mask,
+        "kernels/void_and_cluster.comp", "return min(d, circumference - d);", "return d;"),
+    mutant("the Gaussian is wider", Mismatch, Mask,
+        "kernels/void_and_cluster.comp", "across * across + down * down", "(across * across + down * down) * 3u / 4u"),
+    mutant("voids filled before clusters are thinned", Mismatch, Mask,
+        "kernels/void_and_cluster.comp", "(push.removes >> (pass & 1u))", "(push.removes >> (~pass & 1u))"),
+    mutant("an update skipped", Mismatch, Mask,
+        "kernels/void_and_cluster.comp", "if (squared < push.terms)", "if (squared < push.terms && change.x + change.y != 5u)"),
+    mutant("removal adds energy", Mismatch, Mask,
+        "kernels/void_and_cluster.comp", "change.removed ? 0u - energies[squared] : energies[squared]", "energies[squared]"),
+    mutant("the row above is not reached", Mismatch, Mask,
+        "kernels/void_and_cluster.comp", "for (uint i = 0u; i < count; i++)", "for (uint i = 1u; i < count; i++)"),
+    mutant("frames do not repel each other", Mismatch, Mask,
+        "kernels/void_and_cluster.comp", "across == 0u ? distance * distance : push.terms", "push.terms"),
+    mutant("the lower edge of a rank's part", Mismatch, Function("blue_noise"),
+        "corput/blue_noise.glsl", "(2u * rank + 1u) << 15", "(2u * rank) << 15"),
+    mutant("a mask's second digit forgotten", Mismatch, Function("blue_noise"),
+        "corput/blue_noise.glsl", " + ((high % count) << 16) / count", ""),
+    mutant("frames one row apart", Mismatch, Function("blue_noise"),
+        "corput/blue_noise.glsl", "frame % size.z * size.y +", "frame % size.z +"),
+    mutant("a shift not wrapped", Mismatch, Function("blue_noise_shift"),
+        "corput/blue_noise.glsl", "uvec2(pixel.x % size.x +", "uvec2(pixel.x +"),
+    mutant("x and y of the Z-order swapped", Mismatch, Function("screen_space"),
+        "corput/screen_space.glsl", "corput_screen_space_spread(pixel.x) |", "corput_screen_space_spread(pixel.y) |"),
+    mutant("digits shuffled without those above", Mismatch, Function("screen_space"),
+        "corput/screen_space.glsl", "((code >> shift) >> 2) & ((1u << (2u * level)) - 1u)", "0u"),
+    mutant("a permutation twice", Mismatch, Function("screen_space"),
+        "corput/screen_space.glsl", "0xe4u, 0xb4u", "0xe4u, 0xe4u"),
     // The native profile, which has no reference.
     mutant("sine and cosine swapped", Judge, Native("native_polar_disk"),
         "corput/native/disk.glsl", "radius * cos(phi), radius * sin(phi)", "radius * sin(phi), radius * cos(phi)"),

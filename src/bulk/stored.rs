@@ -1,0 +1,70 @@
+//! Points that are there already, as an engine.
+
+use super::{exact, native};
+use crate::Result;
+use crate::catalog::{Engine, Map, Output, Profile};
+use crate::reference::unit::unit_floor;
+use glam::uvec2;
+
+/// Serves points of two dimensions from memory, as fractions, as floats or through a map.
+#[derive(Clone, Debug)]
+pub struct Stored {
+    /// The points, as fractions of 2^32.
+    pub points: Vec<[u32; 2]>,
+    /// What words to make, where there is no map.
+    pub output: Output,
+    /// The map, if any.
+    pub map: Option<&'static Map>,
+    /// Whether the pdf follows the coordinates.
+    pub with_pdf: bool,
+    /// Whose functions the map uses; the native ones are this CPU's.
+    pub profile: Profile,
+}
+
+/// Points at a time.
+const PIECE: u64 = 1 << 12;
+
+impl Stored {
+    /// Words of a result row.
+    #[must_use]
+    pub fn words_per_point(&self) -> u32 {
+        match self.map {
+            Some(map) => map.coordinates + u32::from(self.with_pdf),
+            None => 2,
+        }
+    }
+
+    fn row(&self, [x, y]: [u32; 2]) -> [u32; 4] {
+        match (self.map, self.output) {
+            (Some(map), _) => {
+                let sample = match self.profile {
+                    Profile::Exact => exact(map, uvec2(x, y)),
+                    Profile::Native => native(map, uvec2(x, y)),
+                };
+                sample.map(f32::to_bits)
+            }
+            (None, Output::Fractions) => [x, y, 0, 0],
+            (None, Output::Floats) => [unit_floor(x).to_bits(), unit_floor(y).to_bits(), 0, 0],
+        }
+    }
+}
+
+impl Engine for Stored {
+    fn make(
+        &mut self,
+        start: u64,
+        count: u64,
+        take: &mut dyn FnMut(&[u32]) -> Result<()>,
+    ) -> Result<()> {
+        let width = self.words_per_point() as usize;
+        let points = self.points.iter().skip(start as usize).take(count as usize);
+        let words: Vec<u32> = points
+            .flat_map(|point| self.row(*point).into_iter().take(width))
+            .collect();
+        take(&words)
+    }
+
+    fn chunk(&self) -> u64 {
+        PIECE
+    }
+}

@@ -1,0 +1,202 @@
+//! `corput generate blue-noise-mask`.
+//!
+//! A pixel's value is the fraction (rank + 1/2) / pixels: rounded down to 2^-32 as `u32`
+//! in an .npy with --fractions, else to 2^-24 as `f32` in an .npy or .exr, or to 2^-16 in a
+//! PNG of 16 bits. With at most 65,536 pixels no two ranks share a value in any of them.
+
+use super::args::GenerateArgs;
+use super::{host, interrupt, progress};
+use corput::blue_noise::{MaskShape, void_and_cluster};
+use corput::kernels::VoidAndCluster;
+use corput::picture::{self, Size};
+use corput::reference::blue_noise::blue_noise_fraction;
+use corput::reference::unit::unit_floor;
+use corput::report::{Document, Element, Target, npy_array};
+use corput::{Error, Result};
+
+/// The name on the command line.
+pub const NAME: &str = "blue-noise-mask";
+
+/// How a mask is written. Frames lie one below the other in pictures, and along the first
+/// axis of an array; channels along the last.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    /// Fractions as `f32`, or as `u32` with --fractions.
+    Npy,
+    /// The leading 16 bits of the fractions.
+    Png,
+    /// Fractions as `f32`.
+    Exr,
+}
+
+const FORMATS: [(&str, Format); 3] = [
+    ("npy", Format::Npy),
+    ("png", Format::Png),
+    ("exr", Format::Exr),
+];
+
+pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
+    let size = args.size.ok_or_else(|| {
+        refusal(
+            format!("{NAME} without --size"),
+            "a mask has pixels, not a count of points",
+            "add --size 128",
+        )
+    })?;
+    let shape = MaskShape::new(size, size, args.frames.unwrap_or(1))?;
+    let channels = match args.channels.unwrap_or(1) {
+        channels @ 1..=2 => channels as u32,
+        channels => {
+            let asked = format!("--channels {channels}");
+            let remedy = "make several masks with different seeds for more";
+            return Err(refusal(asked, "a mask has 1 or 2", remedy).into());
+        }
+    };
+    refuse_points(args)?;
+    let target = Target::from(args.out.as_path());
+    let format = format(args, &target)?;
+    if args.fractions && format != Format::Npy {
+        let limit = "a PNG holds 16 bits of the fractions, and an .exr floats";
+        return Err(refusal("--fractions".into(), limit, "write an .npy, or drop it").into());
+    }
+    let document = Document::open(&target)?;
+    interrupt::clean_up();
+    let fractions = fractions(args, shape, channels)?;
+    document.finish(&encode(
+        format,
+        shape,
+        channels,
+        args.fractions,
+        &fractions,
+    )?)?;
+    Ok(())
+}
+
+/// Refuses what only masks have, for points.
+pub fn refuse(args: &GenerateArgs) -> Result<()> {
+    if args.size.is_some() || args.channels.is_some() || args.frames.is_some() {
+        return Err(refusal(
+            format!("--size, --channels or --frames with {}", args.sequence),
+            "only masks have pixels; points have a --count",
+            "drop them, or use blue-noise-mask",
+        ));
+    }
+    Ok(())
+}
+
+/// Refuses what only points have.
+fn refuse_points(args: &GenerateArgs) -> Result<()> {
+    let columns = args.dims.is_some()
+        || args.bases.is_some()
+        || args.total.is_some()
+        || args.scramble.is_some()
+        || args.grid.is_some()
+        || args.generator.is_some()
+        || args.order != "natural";
+    let mapped = args.map.is_some() || args.with_pdf;
+    if columns || mapped || args.count.is_some() || args.first != 0 || args.index_first {
+        return Err(refusal(
+            format!(
+                "--count, --first, --dims, --bases, --total, --index-first, --scramble, --order, --grid, \
+                 --generator, --map or --with-pdf with {NAME}"
+            ),
+            "only points have them; a mask has --size, --channels and --frames",
+            "drop them",
+        ));
+    }
+    Ok(())
+}
+
+fn refusal(asked: String, limit: &str, remedy: &str) -> Error {
+    Error::Arguments {
+        asked,
+        limit: limit.to_owned(),
+        remedy: remedy.to_owned(),
+    }
+}
+
+fn format(args: &GenerateArgs, target: &Target) -> Result<Format> {
+    let name = match (&args.format, target) {
+        (Some(name), _) => name.clone(),
+        (None, Target::Stdout) => "npy".to_owned(),
+        (None, Target::File(path)) => {
+            let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+            ending.unwrap_or_else(|| path.display().to_string())
+        }
+    };
+    let known = FORMATS.map(|(name, _)| name);
+    let found = FORMATS.iter().find(|(known, _)| *known == name);
+    found
+        .map(|(_, format)| *format)
+        .ok_or_else(|| Error::unknown_name("format of a mask", &name, &known))
+}
+
+/// The fractions of every pixel, channels innermost.
+fn fractions(args: &GenerateArgs, shape: MaskShape, channels: u32) -> anyhow::Result<Vec<u32>> {
+    let pixels = shape.pixels();
+    let mut fractions = vec![0; (pixels * channels) as usize];
+    let device = if host::is_cpu(host::asked(args.device.as_deref()).as_deref()) {
+        None
+    } else {
+        Some(host::open(args.device.as_deref())?)
+    };
+    let kernel = device.as_ref().map(VoidAndCluster::new).transpose()?;
+    let total = u64::from(pixels * channels);
+    let bar = progress::points(total);
+    for channel in 0..channels {
+        let seed = MaskShape::channel_seed(args.seed.unwrap_or(0), channel);
+        let ranks = match &kernel {
+            None => void_and_cluster(shape, seed),
+            Some(kernel) => kernel.ranks(shape, seed, &mut |ranked| {
+                bar.inc(u64::from(ranked));
+                interrupt::stop(bar.position(), total)
+            })?,
+        };
+        for (pixel, rank) in ranks.iter().enumerate() {
+            let at = pixel * channels as usize + channel as usize;
+            fractions[at] = blue_noise_fraction(*rank, pixels);
+        }
+    }
+    bar.finish_and_clear();
+    if let Some(device) = &device {
+        host::validated(device.instance())?;
+    }
+    Ok(fractions)
+}
+
+fn encode(
+    format: Format,
+    shape: MaskShape,
+    channels: u32,
+    whole: bool,
+    fractions: &[u32],
+) -> Result<Vec<u8>> {
+    let size = Size {
+        width: shape.width,
+        height: shape.height * shape.frames,
+        channels,
+    };
+    let floats = fractions.iter().map(|fraction| unit_floor(*fraction));
+    match format {
+        Format::Png => {
+            let samples: Vec<u16> = fractions.iter().map(|f| (f >> 16) as u16).collect();
+            picture::png(size, &samples)
+        }
+        Format::Exr => picture::exr(size, &floats.collect::<Vec<_>>()),
+        Format::Npy => {
+            let mut axes = vec![shape.height, shape.width];
+            if shape.frames > 1 {
+                axes.insert(0, shape.frames);
+            }
+            if channels > 1 {
+                axes.push(channels);
+            }
+            Ok(if whole {
+                npy_array(Element::U32, &axes, fractions)
+            } else {
+                let words: Vec<u32> = floats.map(f32::to_bits).collect();
+                npy_array(Element::F32, &axes, &words)
+            })
+        }
+    }
+}

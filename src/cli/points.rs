@@ -1,0 +1,107 @@
+//! `corput generate blue-noise`: points that the host makes all at once.
+
+use super::args::GenerateArgs;
+use super::generate::{arguments, count, output, stream};
+use super::{host, interrupt, mask};
+use corput::blue_noise::{blue_noise_points, check_count};
+use corput::bulk::Stored;
+use corput::catalog::{Map, Output, Profile, Scramble, check_map};
+use corput::report::{Element, Layout, Sink};
+use corput::{Error, Result};
+
+/// The name on the command line.
+pub const NAME: &str = "blue-noise";
+
+/// Dimensions of a point.
+const DIMENSIONS: u64 = 2;
+
+pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
+    mask::refuse(args)?;
+    refuse(args)?;
+    let map = args.map.as_deref().map(Map::from_name).transpose()?;
+    check_map(map, DIMENSIONS as u32, args.fractions, args.with_pdf)?;
+    let profile = profile(args)?;
+    let (target, format) = output(args)?;
+    let words = match args.fractions {
+        true => Output::Fractions,
+        false => Output::Floats,
+    };
+    let mut stored = Stored {
+        points: Vec::new(),
+        output: words,
+        map,
+        with_pdf: args.with_pdf,
+        profile,
+    };
+    let layout = Layout {
+        rows: count(args)?,
+        columns: stored.words_per_point(),
+        element: match words {
+            Output::Fractions => Element::U32,
+            Output::Floats => Element::F32,
+        },
+    };
+    check_count(layout.rows)?;
+    interrupt::clean_up();
+    let sink = Sink::open(
+        &target,
+        format,
+        layout,
+        arguments(args, Scramble::None, None),
+    )?;
+    stored.points = blue_noise_points(layout.rows, args.seed.unwrap_or(0))?;
+    stream(&mut stored, layout, sink)?;
+    Ok(())
+}
+
+/// The exact profile has the same bytes wherever the points are mapped; the native one
+/// has those of this CPU, so no other device may be asked for.
+fn profile(args: &GenerateArgs) -> Result<Profile> {
+    let profile = Profile::from_name(&args.profile)?;
+    let on_cpu = host::is_cpu(host::asked(args.device.as_deref()).as_deref());
+    if profile == Profile::Native && !on_cpu {
+        return Err(Error::Arguments {
+            asked: "--profile native with blue-noise".into(),
+            limit: "its points are made and mapped on the host".into(),
+            remedy: "use --profile exact, or --device cpu for this CPU's functions".into(),
+        });
+    }
+    Ok(profile)
+}
+
+/// Refuses what other sequences have and this set has not.
+fn refuse(args: &GenerateArgs) -> Result<()> {
+    let refused = |asked: &str, limit: &str, remedy: &str| {
+        Err(Error::Arguments {
+            asked: format!("{asked} with {NAME}"),
+            limit: limit.to_owned(),
+            remedy: remedy.to_owned(),
+        })
+    };
+    if let Some(dims) = args.dims.filter(|dims| *dims != DIMENSIONS) {
+        return Err(Error::Dimensions {
+            sequence: NAME,
+            asked: dims,
+            least: DIMENSIONS as u32,
+            limit: DIMENSIONS as u32,
+            remedy: "drop --dims, or use another sequence".into(),
+        });
+    }
+    if args.first != 0 {
+        let limit = "the set is made whole, from its first point on";
+        return refused("--first", limit, "drop it, and skip rows of the file");
+    }
+    if args.bases.is_some() || args.total.is_some() || args.index_first {
+        let limit = "only radical inverses and hammersley have them";
+        return refused("--bases, --total or --index-first", limit, "drop them");
+    }
+    if args.scramble.is_some() || args.order != "natural" {
+        let limit = "its points are random already; --seed chooses them";
+        return refused("--scramble or --order", limit, "drop them");
+    }
+    if args.grid.is_some() || args.generator.is_some() {
+        let limit = "only strata have a grid, and only korobov a generator";
+        return refused("--grid or --generator", limit, "drop them");
+    }
+    Ok(())
+}

@@ -1,0 +1,94 @@
+//! Specialization constants and buffers that the kernels share.
+
+use super::super::{
+    Binding, Constant, Element, Member, PushConstants, WorkPush, map, output, pair_kind,
+};
+
+pub(super) const OUTPUT: Constant = Constant {
+    id: 0,
+    name: "OUTPUT",
+    default: output::FLOATS,
+};
+pub(super) const MAP: Constant = Constant {
+    id: 1,
+    name: "MAP",
+    default: map::COSINE_HEMISPHERE,
+};
+pub(super) const WITH_PDF: Constant = Constant {
+    id: 2,
+    name: "WITH_PDF",
+    default: 0,
+};
+pub(super) const TILE: Constant = Constant {
+    id: 3,
+    name: "TILE",
+    default: 16,
+};
+pub(super) const DIMENSIONS: Constant = Constant {
+    id: 4,
+    name: "DIMENSIONS",
+    default: 1,
+};
+pub(super) const FUNCTION: Constant = Constant {
+    id: 5,
+    name: "FUNCTION",
+    default: 0,
+};
+pub(super) const INDEXED: Constant = Constant {
+    id: 6,
+    name: "INDEXED",
+    default: 0,
+};
+
+/// uvec4s of a row, of which the kernel writes one.
+pub(super) const ROW: Constant = Constant {
+    id: 7,
+    name: "ROW",
+    default: 1,
+};
+/// Which of them.
+pub(super) const PART: Constant = Constant {
+    id: 8,
+    name: "PART",
+    default: 0,
+};
+
+/// Which discrepancy.
+pub(super) const KIND: Constant = Constant {
+    id: 9,
+    name: "KIND",
+    default: pair_kind::CENTRED,
+};
+/// Whether distances are on the torus.
+pub(super) const TOROIDAL: Constant = Constant {
+    id: 10,
+    name: "TOROIDAL",
+    default: 1,
+};
+
+pub(super) const RESULTS: Binding = Binding {
+    binding: 0,
+    name: "results",
+    element: Element::Uvec4,
+    input: false,
+};
+pub(super) const COLUMNS: Binding = Binding {
+    binding: 1,
+    name: "columns",
+    element: Element::Uint,
+    input: true,
+};
+pub(super) const POINTS: Binding = Binding {
+    binding: 1,
+    name: "points",
+    element: Element::Uvec4,
+    input: true,
+};
+pub(super) const ARGUMENTS: Binding = Binding {
+    binding: 1,
+    name: "arguments",
+    element: Element::Uvec4,
+    input: true,
+};
+
+pub(super) const WORK: &[Member] = WorkPush::MEMBERS;

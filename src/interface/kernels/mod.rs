@@ -1,0 +1,208 @@
+//! The list of stock kernels.
+
+mod constants;
+mod points;
+
+use super::{
+    Binding, Constant, Element, FAMILIES, IrradiancePush, Kernel, MaskPush, PairsPush, Profile,
+    PushConstants,
+};
+use constants::{
+    ARGUMENTS, FUNCTION, INDEXED, KIND, MAP, POINTS, RESULTS, TOROIDAL, WITH_PDF, WORK,
+};
+use points::{POINT_KERNELS, POINTS_OF, points};
+const fn map_kernel(
+    name: &'static str,
+    defines: &'static [(&'static str, &'static str)],
+    profile: Profile,
+) -> Kernel {
+    Kernel {
+        name,
+        source: "map.comp",
+        defines,
+        local_size: 64,
+        push: WORK,
+        bindings: &[RESULTS, POINTS],
+        constants: &[MAP, WITH_PDF],
+        columns: None,
+        profile,
+    }
+}
+
+const fn evaluate(
+    name: &'static str,
+    source: &'static str,
+    defines: &'static [(&'static str, &'static str)],
+    profile: Profile,
+) -> Kernel {
+    Kernel {
+        name,
+        source,
+        defines,
+        local_size: 64,
+        push: WORK,
+        bindings: &[RESULTS, ARGUMENTS],
+        constants: &[FUNCTION, INDEXED],
+        columns: None,
+        profile,
+    }
+}
+
+const fn pairs(name: &'static str, source: &'static str, constants: &'static [Constant]) -> Kernel {
+    Kernel {
+        name,
+        source,
+        defines: &[],
+        local_size: 64,
+        push: PairsPush::MEMBERS,
+        bindings: &[
+            RESULTS,
+            Binding {
+                binding: 1,
+                name: "words",
+                element: Element::Uint,
+                input: true,
+            },
+        ],
+        constants,
+        columns: None,
+        profile: Profile::Integer,
+    }
+}
+
+/// The other kernels.
+const OTHERS: &[Kernel] = &[
+    map_kernel("map", &[], Profile::Integer),
+    map_kernel("map_native", &[("KERNEL_NATIVE", "1")], Profile::Native),
+    Kernel {
+        name: "irradiance",
+        source: "irradiance.comp",
+        defines: &[],
+        local_size: 64,
+        push: IrradiancePush::MEMBERS,
+        bindings: &[
+            RESULTS,
+            Binding {
+                binding: 1,
+                name: "texels",
+                element: Element::Uint,
+                input: true,
+            },
+            Binding {
+                binding: 2,
+                name: "edges",
+                element: Element::Uint,
+                input: true,
+            },
+        ],
+        constants: &[],
+        columns: None,
+        profile: Profile::Integer,
+    },
+    pairs("pairs", "pairs.comp", &[KIND]),
+    pairs("nearest", "nearest.comp", &[TOROIDAL]),
+    Kernel {
+        name: "void_and_cluster",
+        source: "void_and_cluster.comp",
+        defines: &[],
+        local_size: 128,
+        push: MaskPush::MEMBERS,
+        bindings: &[
+            Binding {
+                binding: 0,
+                name: "words",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 1,
+                name: "ranks",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 2,
+                name: "state",
+                element: Element::Uint,
+                input: false,
+            },
+            Binding {
+                binding: 3,
+                name: "energies",
+                element: Element::Uint,
+                input: true,
+            },
+        ],
+        constants: &[],
+        columns: None,
+        profile: Profile::Integer,
+    },
+    Kernel {
+        name: "probe",
+        source: "probe.comp",
+        defines: &[],
+        local_size: 64,
+        push: &[],
+        bindings: &[
+            Binding {
+                binding: 0,
+                name: "arguments",
+                element: Element::Uint,
+                input: true,
+            },
+            Binding {
+                binding: 1,
+                name: "results",
+                element: Element::Uint,
+                input: false,
+            },
+        ],
+        constants: &[],
+        columns: None,
+        profile: Profile::Probe,
+    },
+];
+
+const PORTABLE: &[(&str, &str)] = &[("CORPUT_PORTABLE", "1")];
+
+/// The kernels that evaluate single functions, also with the portable forms of `fixed`.
+#[rustfmt::skip]
+const EVALUATORS: &[Kernel] = &[
+    evaluate("evaluate", "evaluate.comp", &[], Profile::Integer),
+    evaluate("evaluate_portable", "evaluate.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_frame", "evaluate.comp", &[("KERNEL_FRAME", "1")], Profile::Float),
+    evaluate("evaluate_native", "evaluate.comp", &[("KERNEL_NATIVE", "1")], Profile::Native),
+    evaluate("evaluate_blue_noise", "evaluate_blue_noise.comp", &[], Profile::Integer),
+    evaluate("evaluate_blue_noise_portable", "evaluate_blue_noise.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_domain", "evaluate_domain.comp", &[], Profile::Integer),
+    evaluate("evaluate_domain_portable", "evaluate_domain.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_net", "evaluate_net.comp", &[], Profile::Integer),
+    evaluate("evaluate_net_portable", "evaluate_net.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_random", "evaluate_random.comp", &[], Profile::Integer),
+    evaluate("evaluate_random_portable", "evaluate_random.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_strata", "evaluate_strata.comp", &[], Profile::Integer),
+    evaluate("evaluate_strata_portable", "evaluate_strata.comp", PORTABLE, Profile::Integer),
+];
+
+const MADE: usize = POINT_KERNELS * FAMILIES.len();
+
+const COUNT: usize = MADE + EVALUATORS.len() + OTHERS.len();
+
+const ALL: [Kernel; COUNT] = {
+    let mut all = [points(); COUNT];
+    let mut at = 0;
+    while at < COUNT {
+        all[at] = if at < MADE {
+            POINTS_OF[at / POINT_KERNELS][at % POINT_KERNELS]
+        } else if at < MADE + EVALUATORS.len() {
+            EVALUATORS[at - MADE]
+        } else {
+            OTHERS[at - MADE - EVALUATORS.len()]
+        };
+        at += 1;
+    }
+    all
+};
+
+/// Every stock kernel.
+pub const KERNELS: &[Kernel] = &ALL;

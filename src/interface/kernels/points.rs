@@ -1,0 +1,92 @@
+//! The kernels that make points, for each family of columns.
+
+use super::super::{FAMILIES, Family, Kernel, Profile};
+use super::constants::{
+    COLUMNS, DIMENSIONS, MAP, OUTPUT, PART, RESULTS, ROW, TILE, WITH_PDF, WORK,
+};
+
+/// The kernels of a family that make points: the general one, tiles of one to four
+/// columns, and tiles of two that a map follows, in both profiles.
+pub(super) const POINT_KERNELS: usize = 7;
+
+macro_rules! point_kernels {
+    ($family:expr, $suffix:literal) => {
+        [
+            Kernel {
+                name: concat!("generate", $suffix),
+                source: "generate.comp",
+                defines: &[("COLUMN_TABLE", "1")],
+                bindings: &[RESULTS, COLUMNS],
+                constants: &[OUTPUT, DIMENSIONS],
+                columns: Some(($family, 0)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("generate_tile_1", $suffix),
+                defines: &[("TILE_COLUMNS", "1")],
+                columns: Some(($family, 1)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("generate_tile_2", $suffix),
+                defines: &[("TILE_COLUMNS", "2")],
+                columns: Some(($family, 2)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("generate_tile_3", $suffix),
+                defines: &[("TILE_COLUMNS", "3")],
+                columns: Some(($family, 3)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("generate_tile_4", $suffix),
+                defines: &[("TILE_COLUMNS", "4")],
+                constants: &[OUTPUT, TILE, ROW, PART],
+                columns: Some(($family, 4)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("fused", $suffix),
+                source: "fused.comp",
+                defines: &[("TILE_COLUMNS", "2")],
+                constants: &[MAP, WITH_PDF, TILE],
+                columns: Some(($family, 2)),
+                ..points()
+            },
+            Kernel {
+                name: concat!("fused_native", $suffix),
+                source: "fused.comp",
+                defines: &[("TILE_COLUMNS", "2"), ("KERNEL_NATIVE", "1")],
+                constants: &[MAP, WITH_PDF, TILE],
+                columns: Some(($family, 2)),
+                profile: Profile::Native,
+                ..points()
+            },
+        ]
+    };
+}
+
+/// What most kernels that make points have in common.
+pub(super) const fn points() -> Kernel {
+    Kernel {
+        name: "",
+        source: "generate_tile.comp",
+        defines: &[],
+        local_size: 64,
+        push: WORK,
+        bindings: &[RESULTS],
+        constants: &[OUTPUT, TILE],
+        columns: None,
+        profile: Profile::Integer,
+    }
+}
+
+pub(super) const POINTS_OF: [[Kernel; POINT_KERNELS]; FAMILIES.len()] = [
+    point_kernels!(Family::Radical, ""),
+    point_kernels!(Family::Net, "_net"),
+    point_kernels!(Family::Random, "_random"),
+    point_kernels!(Family::Strata, "_strata"),
+    point_kernels!(Family::Digits, "_digits"),
+    point_kernels!(Family::Lattice, "_lattice"),
+];
