@@ -74,8 +74,9 @@ fn points(mut file: impl Read, length: Option<u64>) -> Result<Points, Fault> {
     let &[rows, columns] = shape.as_slice() else {
         return Err(fault(
             format!(
-                "its array has {} dimensions and must be 2-D, one point a row",
-                shape.len()
+                "its array has {} dimension{} and must be 2-D, one point a row",
+                shape.len(),
+                if shape.len() == 1 { "" } else { "s" }
             ),
             "save it with a shape (points, coordinates): x.reshape(-1, 1) for one coordinate",
         ));

@@ -58,10 +58,15 @@ impl Points {
         // A NaN is in no range.
         if let Some(at) = values.iter().position(|value| !(0.0..1.0).contains(value)) {
             let (row, column) = (at / columns, at % columns);
+            let remedy = if values[at].is_finite() {
+                "scale them; unsigned integers of 32 bits are taken as fractions of 2^32"
+            } else {
+                "replace what is not finite"
+            };
             return Err(refused(
                 format!("row {row}, column {column} is {}", values[at]),
                 "coordinates must be in [0, 1)",
-                "scale them; unsigned integers of 32 bits are taken as fractions of 2^32",
+                remedy,
             ));
         }
         Ok(Self {

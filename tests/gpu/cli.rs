@@ -6,6 +6,8 @@ mod blue_noise;
 mod commands;
 #[path = "cli/devices.rs"]
 mod devices;
+#[path = "cli/guide.rs"]
+mod guide;
 #[path = "cli/limits.rs"]
 mod limits;
 #[path = "cli/measure.rs"]
@@ -14,6 +16,8 @@ mod measure;
 mod parse;
 #[path = "cli/plot.rs"]
 mod plot;
+#[path = "cli/published.rs"]
+mod published;
 #[path = "cli/refused.rs"]
 mod refused;
 #[cfg(unix)]
@@ -21,6 +25,8 @@ mod refused;
 mod running;
 #[path = "cli/same.rs"]
 mod same;
+#[path = "cli/sequences.rs"]
+mod sequences;
 
 use std::fs;
 use std::path::{Path, PathBuf};

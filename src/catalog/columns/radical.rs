@@ -53,12 +53,16 @@ fn warn_of_lines(asked: &Asked, bases: &[u32], warnings: &mut Vec<String>) {
     let parted = matches!(asked.scramble, Scramble::Permute | Scramble::Owen);
     if let [a, b, ..] = largest[..]
         && !parted
-        && asked.end < u64::from(a) * u64::from(b)
+        && asked.total < u64::from(a) * u64::from(b)
     {
+        let remedy = match asked.sequence {
+            Sequence::Hammersley => "more points, or fewer dimensions",
+            _ => "more points, fewer dimensions, or --scramble owen",
+        };
         warnings.push(format!(
             "{} points are fewer than {a} x {b} = {}: in these two bases they lie on lines; take \
-             more points, fewer dimensions, or --scramble owen",
-            asked.end,
+             {remedy}",
+            asked.total,
             u64::from(a) * u64::from(b)
         ));
     }

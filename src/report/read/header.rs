@@ -79,8 +79,8 @@ impl<'a> Reader<'a> {
         }
         let next = self.rest.chars().next();
         Err(malformed(match next {
-            Some(c) => format!("{c:?} stands where {wanted:?} must"),
-            None => format!("it ends where {wanted:?} must stand"),
+            Some(c) => format!("`{c}` stands where `{wanted}` must"),
+            None => format!("it ends where `{wanted}` must stand"),
         }))
     }
 

@@ -211,17 +211,80 @@ fn bad_input_is_refused() {
         "d.npy",
     );
     let bytes = desk.bytes("h.npy");
-    std::fs::write(desk.path("cut.npy"), &bytes[..bytes.len() - 3]).unwrap();
-    let mut nan = bytes.clone();
-    let at = nan.len() - 4;
-    nan[at..].copy_from_slice(&f32::NAN.to_le_bytes());
-    std::fs::write(desk.path("nan.npy"), nan).unwrap();
+    let (header, data) = bytes.split_at(bytes.len() - 8192);
+    let file = |name: &str, bytes: &[u8]| std::fs::write(desk.path(name), bytes).unwrap();
+    file("empty.npy", b"");
+    file("cut.npy", &bytes[..bytes.len() - 3]);
+    file("long.npy", &[&bytes[..], b"more"].concat());
+    file("header.npy", &header[..40]);
+    file(
+        "huge.npy",
+        b"\x93NUMPY\x02\x00\xff\xff\xff\xff{'descr': '<f4'",
+    );
+    for (name, value) in [
+        ("nan.npy", f32::NAN),
+        ("infinite.npy", f32::INFINITY),
+        ("one.npy", 1.0),
+        ("negative.npy", -0.25),
+    ] {
+        file(
+            name,
+            &[&bytes[..bytes.len() - 4], &value.to_le_bytes()].concat(),
+        );
+    }
+    // Other shapes and types in a header of the same length.
+    let text = String::from_utf8_lossy(&header[10..]).into_owned();
+    for (name, old, new) in [
+        ("flat.npy", "(1024, 2), }", "(2048,), }  "),
+        ("solid.npy", "(1024, 2), }  ", "(512, 2, 2), }"),
+        ("none.npy", "(1024, 2), }", "(0, 2), }   "),
+        (
+            "terabytes.npy",
+            "(1024, 2), }       ",
+            "(999999999999, 2),}",
+        ),
+        (
+            "endless.npy",
+            "(1024, 2), }                ",
+            "(18446744073709551615, 2), }",
+        ),
+        ("integers.npy", "'<f4'", "'<i4'"),
+        ("objects.npy", "'<f4'", "'|O' "),
+    ] {
+        let turned = text.replacen(old, new, 1);
+        assert!(turned != text && turned.len() == text.len(), "{name}");
+        file(name, &[&header[..10], turned.as_bytes(), data].concat());
+    }
+    let before = desk.names();
     for (line, words) in [
         ("gone.npy", &["gone.npy", "can be read"][..]),
         (".", &["cannot use points .", "can be read"]),
         ("text.npy", &["text.npy", "no .npy file"]),
         ("cut.npy", &["cut.npy", "truncated", "8192 bytes"]),
-        ("nan.npy", &["row 1023, column 1 is NaN", "[0, 1)"]),
+        ("empty.npy", &["no .npy file"]),
+        (
+            "long.npy",
+            &["8192 bytes of data", "more", "one array a file"],
+        ),
+        ("header.npy", &["ends within its header"]),
+        ("huge.npy", &["4294967295 bytes", "65536"]),
+        (
+            "nan.npy",
+            &["row 1023, column 1 is NaN", "[0, 1)", "replace"],
+        ),
+        ("infinite.npy", &["row 1023, column 1 is inf", "[0, 1)"]),
+        ("one.npy", &["row 1023, column 1 is 1;", "[0, 1)", "scale"]),
+        ("negative.npy", &["row 1023, column 1 is -0.25", "[0, 1)"]),
+        ("flat.npy", &["1 dimension ", "must be 2-D", "reshape"]),
+        ("solid.npy", &["3 dimensions", "must be 2-D"]),
+        ("none.npy", &["empty: shape (0, 2)", "at least one point"]),
+        ("terabytes.npy", &["(999999999999, 2)", "268435456 values"]),
+        (
+            "endless.npy",
+            &["(18446744073709551615, 2)", "268435456 values"],
+        ),
+        ("integers.npy", &["'<i4'", "f4, f8 or u4", "astype"]),
+        ("objects.npy", &["'|O'", "f4, f8 or u4"]),
         ("d.npy", &["d.npy", "[0, 1)", "scale"]),
         ("h.npy --only stra", &["unknown measure `stra`", "`star`"]),
         ("h.npy --base 2", &["--base 2", "2 dimensions", "as many"]),
@@ -235,5 +298,6 @@ fn bad_input_is_refused() {
         let run = desk.run(&format!("measure {line}"));
         run.expect(2, words);
         assert_eq!(run.stdout, b"", "`{line}` wrote to standard output");
+        assert_eq!(desk.names(), before, "`{line}` left files");
     }
 }

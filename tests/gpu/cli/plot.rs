@@ -213,6 +213,10 @@ fn what_cannot_be_drawn_is_refused() {
         ("empty.npy", b""),
         ("text.npy", b"0.5,0.5\n0.25,0.75\n"),
         ("cut.npy", &good[..good.len() - 3]),
+        (
+            "huge.npy",
+            b"\x93NUMPY\x02\x00\xff\xff\xff\xff{'descr': '<f4'",
+        ),
     ] {
         std::fs::write(desk.path(name), bytes).unwrap();
     }
@@ -223,6 +227,10 @@ fn what_cannot_be_drawn_is_refused() {
         "halton --count 9 --map cosine-hemisphere --device cpu",
         "directions.npy",
     );
+    let text = String::from_utf8_lossy(&good[10..4096]).into_owned();
+    let solid = text.replacen("(1024, 2), }  ", "(512, 2, 2), }", 1);
+    let solid = [&good[..10], solid.as_bytes(), &good[4096..]].concat();
+    std::fs::write(desk.path("solid.npy"), solid).unwrap();
     let before = desk.names();
     let nine = "two.npy ".repeat(9);
     let many = format!("{nine} --out p.svg");
@@ -237,6 +245,11 @@ fn what_cannot_be_drawn_is_refused() {
         ("text.npy --out p.svg", &["text.npy", "no .npy file"]),
         ("cut.npy --out p.svg", &["cut.npy", "truncated"]),
         ("none.npy --out p.svg", &["none.npy", "empty"]),
+        ("huge.npy --out p.svg", &["huge.npy", "4294967295 bytes"]),
+        (
+            "solid.npy --out p.svg",
+            &["solid.npy", "3 dimensions", "must be 2-D"],
+        ),
         (
             "nan.npy --out p.svg",
             &["nan.npy", "row 1, column 1", "NaN"],

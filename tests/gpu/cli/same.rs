@@ -3,7 +3,7 @@
 use super::parse::npy;
 use super::{Desk, skips};
 use corput::bulk;
-use corput::catalog::MAPS;
+use corput::catalog::{MAPS, Map};
 use corput::glam::uvec2;
 
 /// The start, the middle, and up to 2^32.
@@ -80,17 +80,40 @@ fn fused_equals_fractions_and_then_the_map() {
         "halton --count 100000 --first 1000003",
         "hammersley --count 65537",
     ] {
-        let fractions = npy(&desk.make(&format!("{points} --fractions"), "u.npy"));
-        for map in MAPS {
-            let line = format!("{points} --map {} --with-pdf", map.name);
-            let fused = npy(&desk.make(&line, "d.npy"));
-            let width = map.coordinates as usize + 1;
-            fused.assert_is("<f4", fractions.rows, width);
-            for row in 0..fractions.rows {
-                let u = fractions.row(row);
-                let expected = bulk::exact(map, uvec2(u[0], u[1])).map(f32::to_bits);
-                assert_eq!(fused.row(row), &expected[..width], "`{line}`, row {row}");
-            }
+        assert_fused(&desk, points, MAPS);
+    }
+    for (i, points) in [
+        "halton --count 9973 --scramble owen --seed 3",
+        "sobol --count 9973 --scramble owen --seed 3",
+        "sobol --count 9973 --scramble matrix --order gray --seed 3",
+        "random --count 9973 --seed 3",
+        "stratified --count 9972 --seed 3",
+        "latin-hypercube --count 9973 --seed 3",
+        "cmj --count 9972 --seed 3",
+        "pmj02 --count 9973 --seed 3",
+        "lattice --count 9973 --seed 3",
+        "korobov --count 8191",
+        "r2 --count 9973",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let other = 1 + i % (MAPS.len() - 1);
+        assert_fused(&desk, points, &[MAPS[0], MAPS[other]]);
+    }
+}
+
+fn assert_fused(desk: &Desk, points: &str, maps: &[Map]) {
+    let fractions = npy(&desk.make(&format!("{points} --fractions"), "u.npy"));
+    for map in maps {
+        let line = format!("{points} --map {} --with-pdf", map.name);
+        let fused = npy(&desk.make(&line, "d.npy"));
+        let width = map.coordinates as usize + 1;
+        fused.assert_is("<f4", fractions.rows, width);
+        for row in 0..fractions.rows {
+            let u = fractions.row(row);
+            let expected = bulk::exact(map, uvec2(u[0], u[1])).map(f32::to_bits);
+            assert_eq!(fused.row(row), &expected[..width], "`{line}`, row {row}");
         }
     }
 }
