@@ -71,6 +71,13 @@ fn korobov(asked: &Asked) -> Result<(u32, u64)> {
                 remedy: format!("choose one of 1 to {most}, or drop --generator"),
             });
         }
+        if common_divisor(generator, total) > 1 {
+            return Err(Error::Arguments {
+                asked: format!("--generator {generator} for N = {total}"),
+                limit: "they have a common divisor, so that coordinates would repeat".into(),
+                remedy: "choose a generator that is prime to N".into(),
+            });
+        }
         // A Korobov lattice has at most 2^32 - 1 points.
         return Ok((total as u32, generator));
     }
@@ -90,4 +97,8 @@ fn korobov(asked: &Asked) -> Result<(u32, u64)> {
             |whole| format!("{whole}, or give --generator"),
         ),
     })
+}
+
+fn common_divisor(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { common_divisor(b, a % b) }
 }
