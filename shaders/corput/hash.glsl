@@ -1,6 +1,6 @@
 // what:   hashes: a bijection of 32 bits, mixers of four words, and a 32-bit seed per
 //         dimension and purpose.
-// source: hash: Ellis and Wellons 2018, hash-prospector, triple32 (bias 0.021). pcg4d:
+// source: hash: Wellons 2018, hash-prospector, triple32 (bias 0.021). pcg4d:
 //         Jarzynski and Olano 2020, Hash Functions for GPU Rendering, JCGT 9(3).
 // domain: any uint.
 // range:  every uint. corput_hash never repeats a value, so hashes of an index are no

@@ -38,7 +38,7 @@ uint corput_screen_space_morton(uvec2 pixel) {
 }
 
 // A word from a prefix of a code, its length and a seed: two rounds of multiply and xor
-// (lowbias32 by Ellis and Wellons) around the seed.
+// (lowbias32 by Wellons) around the seed.
 uint corput_screen_space_hash(uint prefix, uint level, uint seed) {
     uint x = prefix * 0x9e3779b9u + level * 0x85ebca6bu;
     x = (x ^ (x >> 16) ^ seed) * 0x7feb352du;

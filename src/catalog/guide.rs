@@ -70,7 +70,7 @@ impl Sequence {
             },
             Self::Hammersley => Guide {
                 what: "k/N and radical inverses",
-                purpose: "the lowest discrepancy for a number of points known beforehand",
+                purpose: "a lower discrepancy than Halton's, for a number of points known beforehand",
                 points: "a set of any N; no prefix of it",
                 source: "Hammersley 1960",
             },
@@ -102,7 +102,7 @@ impl Sequence {
             Self::R2 => Guide {
                 what: "additive recurrence by the generalised golden ratio",
                 purpose: "two dimensions at the least cost",
-                points: "any number; no prefix is better than another",
+                points: "any number; nothing is guaranteed",
                 source: "Roberts 2018",
             },
         }

@@ -9,7 +9,7 @@ use glam::uvec2;
 /// Random arguments of each function, besides the critical ones.
 const RANDOM: u32 = 1 << 18;
 
-/// A bijective mixer of 32 bits, after Ellis and Wellons (lowbias32): spreads inputs
+/// A bijective mixer of 32 bits, after Wellons (lowbias32): spreads inputs
 /// without a state.
 #[must_use]
 pub fn mix(mut x: u32) -> u32 {

@@ -1,6 +1,6 @@
 //! Random numbers and scrambles, from their definitions in wide integers.
 
-/// Ellis and Wellons' triple32.
+/// Wellons's triple32.
 #[must_use]
 pub fn hash(x: u32) -> u32 {
     let mut x = u64::from(x);

@@ -1,7 +1,7 @@
 //! Hashes: a bijection of 32 bits, mixers of four words, and a 32-bit seed per dimension
 //! and purpose.
 //!
-//! Source: Ellis and Wellons 2018, hash-prospector, triple32; Jarzynski and Olano 2020,
+//! Source: Wellons 2018, hash-prospector, triple32; Jarzynski and Olano 2020,
 //! Hash Functions for GPU Rendering, JCGT 9(3). Domain: any `u32`.
 //! Range: every `u32`. [`hash`] never repeats a value, so hashes of an index are no random
 //! numbers: those collide. The lowest bits of [`pcg4d`] are weak: bit k of each word

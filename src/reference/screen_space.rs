@@ -36,7 +36,7 @@ pub fn screen_space_morton(pixel: UVec2) -> u32 {
 }
 
 /// A word from a prefix of a code, its length and a seed: two rounds of multiply and xor
-/// (lowbias32 by Ellis and Wellons) around the seed.
+/// (lowbias32 by Wellons) around the seed.
 #[inline]
 #[must_use]
 pub fn screen_space_hash(prefix: u32, level: u32, seed: u32) -> u32 {
