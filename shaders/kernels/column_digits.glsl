@@ -41,7 +41,8 @@ uint column_value(uint n, Column c) {
 
 float column_unit(uint fraction, Column c) {
     // Faure's permutations keep 0, so that points lie on lower edges, as unscrambled ones do.
-    return c.kind == FAURE ? corput_unit_ceil(fraction) : corput_unit_floor(fraction);
+    // In base 2 floats are cut at digits, and none may go up.
+    return c.kind == FAURE && c.base != 2u ? corput_unit_ceil(fraction) : corput_unit_floor(fraction);
 }
 
 #endif

@@ -51,12 +51,12 @@ impl Prepared {
             Self::Radical(_) => unit::unit_ceil(u),
             Self::Net(..) => unit::unit_floor(u),
             Self::Plain(column) => match *column {
-                Column::Grid(_)
-                | Column::Korobov { shift: None, .. }
-                | Column::Digits {
+                Column::Grid(_) | Column::Korobov { shift: None, .. } => unit::unit_ceil(u),
+                Column::Digits {
+                    base,
                     scramble: DigitScramble::Faure,
                     ..
-                } => unit::unit_ceil(u),
+                } if base != 2 => unit::unit_ceil(u),
                 Column::Stratified { strata, .. } => unit_stratum(u, strata),
                 Column::LatinHypercube { count, .. } => unit_stratum(u, count),
                 Column::MultiJittered { grid: [x, y], .. } => unit_stratum(u, x * y),

@@ -1,13 +1,18 @@
 //! Net structure of the points that devices make: which cells hold how many of them,
 //! in exact arithmetic, as fractions of 2^32 and as floats.
 
+#[path = "nets/base2.rs"]
+mod base2;
+#[path = "nets/cells.rs"]
+mod cells;
+#[path = "nets/digits.rs"]
+mod digits;
+#[path = "nets/strata.rs"]
+mod strata;
 mod support;
 
-use std::sync::Arc;
-
-use corput::catalog::{Engine, Options, Request, Sequence};
-use corput::kernels::Generator;
-use corput::vulkan::Device;
+use cells::{Kind, points, wrong};
+use corput::catalog::{Options, Sequence};
 
 /// Powers of 2 and of 3: boxes of 2^-i x 3^-j, and as many points.
 const BOXES: [(u32, u32); 9] = [
@@ -22,71 +27,11 @@ const BOXES: [(u32, u32); 9] = [
     (0, 12),
 ];
 
-/// A way to write coordinates: how many bits of the fraction there are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Fractions,
-    Floats,
-}
-
-impl Kind {
-    const BOTH: [Self; 2] = [Self::Fractions, Self::Floats];
-
-    fn bits(self) -> u32 {
-        match self {
-            Self::Fractions => 32,
-            Self::Floats => 24,
-        }
-    }
-
-    /// The last index of which base^k cells of a base other than 2 are promised.
-    fn bound(self, cells: u64) -> u64 {
-        (1 << self.bits()) - cells
-    }
-}
-
-/// Rows of coordinates, in units of 2^-bits, from a device.
-fn points(device: &Arc<Device>, kind: Kind, mut options: Options) -> Vec<Vec<u64>> {
-    options.fractions = kind == Kind::Fractions;
-    let request = Request::new(&options).unwrap_or_else(|error| panic!("{error}"));
-    let width = request.columns.len();
-    let mut rows = Vec::with_capacity(request.count as usize);
-    let unit = |word: u32| match kind {
-        Kind::Fractions => u64::from(word),
-        Kind::Floats => {
-            let scaled = f32::from_bits(word) * 16_777_216.0;
-            assert!(scaled.fract() == 0.0 && (0.0..16_777_216.0).contains(&scaled));
-            scaled as u64
-        }
-    };
-    Generator::new(device, &request)
-        .and_then(|mut generator| {
-            generator.make(0, request.count, &mut |words| {
-                let parts = words.chunks_exact(width);
-                rows.extend(parts.map(|row| row.iter().copied().map(unit).collect::<Vec<u64>>()));
-                Ok(())
-            })
-        })
-        .unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(rows.len() as u64, request.count);
-    rows
-}
-
 fn halton(first: u64, count: u64, bases: &[u64]) -> Options {
     let mut options = Options::new(Sequence::Halton, count);
     options.first = first;
     options.bases = Some(bases.to_vec());
     options
-}
-
-/// Cells that do not hold exactly one point, of across[0] x across[1] for as many points.
-fn wrong(rows: &[Vec<u64>], bits: u32, across: [u64; 2]) -> usize {
-    let mut held = vec![0u32; (across[0] * across[1]) as usize];
-    for row in rows {
-        let cell = [0, 1].map(|d: usize| (row[d] * across[d]) >> bits);
-        held[(cell[0] * across[1] + cell[1]) as usize] += 1;
-    }
-    held.iter().filter(|&&count| count != 1).count()
 }
 
 /// The digits of n mirrored, over base^digits.

@@ -1,6 +1,6 @@
 //! The mutants: mistakes that a port, a refactoring or a compiler could make.
 
-use corput::catalog::{Map, Options, Sequence};
+use corput::catalog::{Map, Options, Scramble, Sequence};
 
 use super::harness::Edit;
 use super::harness::Target::{
@@ -88,6 +88,89 @@ fn disk() -> Options {
     options
 }
 
+/// So few points of other sequences that a tile kernel still serves them; the last ones, where
+/// a sequence goes on to 2^32.
+fn of(sequence: Sequence, scramble: Option<Scramble>) -> Options {
+    let mut options = Options::new(sequence, 1 << 15);
+    if !sequence.options().contains(&"--total") && sequence != Sequence::Lattice {
+        options.first = (1 << 32) - options.count;
+    }
+    options.scramble = scramble;
+    options.seed = Some(0x0123_4567_89ab_cdef);
+    options.fractions = true;
+    options
+}
+
+fn sobol() -> Options {
+    of(Sequence::Sobol, Some(Scramble::Shift))
+}
+
+fn sobol_owen() -> Options {
+    of(Sequence::Sobol, Some(Scramble::Owen))
+}
+
+fn sobol_owen_hash() -> Options {
+    of(Sequence::Sobol, Some(Scramble::OwenHash))
+}
+
+fn pmj02() -> Options {
+    of(Sequence::Pmj02, None)
+}
+
+fn random() -> Options {
+    of(Sequence::Random, None)
+}
+
+fn random_fast() -> Options {
+    of(Sequence::RandomFast, None)
+}
+
+fn pcg32() -> Options {
+    of(Sequence::Pcg32, None)
+}
+
+fn stratified() -> Options {
+    of(Sequence::Stratified, None)
+}
+
+fn stratified_floats() -> Options {
+    let mut options = of(Sequence::LatinHypercube, None);
+    options.count = 33_000;
+    options.fractions = false;
+    options
+}
+
+fn cmj() -> Options {
+    of(Sequence::MultiJittered, None)
+}
+
+fn lattice() -> Options {
+    of(Sequence::Lattice, Some(Scramble::Rotate))
+}
+
+fn korobov_floats() -> Options {
+    let mut options = of(Sequence::Korobov, Some(Scramble::None));
+    options.count = 65_521;
+    options.seed = None;
+    options.fractions = false;
+    options
+}
+
+fn r2() -> Options {
+    of(Sequence::R2, Some(Scramble::Rotate))
+}
+
+fn halton_permuted() -> Options {
+    of(Sequence::Halton, Some(Scramble::Permute))
+}
+
+fn halton_faure_floats() -> Options {
+    let mut options = of(Sequence::Halton, Some(Scramble::Faure));
+    options.seed = None;
+    options.fractions = false;
+    options
+}
+
 /// Every mutant.
 #[rustfmt::skip]
 pub const MUTANTS: &[Mutant] = &[
@@ -117,7 +200,7 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("no min(..., 2^24 - 1) in unit_ceil", Mismatch, Function("unit"),
         "corput/unit.glsl", "float(min(k, 0xffffffu))", "float(k)"),
     mutant("unit_floor for unit_ceil in base 3", Mismatch, Tile(floats),
-        "kernels/column.glsl", "c.kind == REVERSED ? corput_unit_floor(fraction) : corput_unit_ceil(fraction)", "corput_unit_floor(fraction)"),
+        "kernels/column_radical.glsl", "c.kind == REVERSED ? corput_unit_floor(fraction) : corput_unit_ceil(fraction)", "corput_unit_floor(fraction)"),
     mutant("an index through float", Linter, Tile(floats),
         "corput/radical_inverse.glsl", "return corput_reverse_bits(n);", "return corput_reverse_bits(uint(float(n)));"),
     // Digits.
@@ -285,6 +368,99 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/lattice.glsl", "if (carry || remainder >= count)", "if (remainder >= count)"),
     mutant("the low word of alpha is ignored", Mismatch, Function("additive"),
         "corput/lattice.glsl", "n * alpha.y + corput_mulhi(n, alpha.x)", "n * alpha.y"),
+    // Nets.
+    mutant("Sobol skips the highest bit", Mismatch, Function("sobol"),
+        "corput/sobol.glsl", "bit < 32u", "bit < 31u"),
+    mutant("a flipped bit of one direction number", Mismatch, Function("sobol"),
+        "corput/sobol.glsl", "CORPUT_SOBOL_DIRECTION(dimension, bit) : 0u",
+        "CORPUT_SOBOL_DIRECTION(dimension, bit) ^ (bit == 17u ? 0x00000100u : 0u) : 0u"),
+    mutant("Gray code of the next bit", Mismatch, Function("sobol"),
+        "corput/sobol.glsl", "n ^ (n >> 1)", "n ^ (n >> 2)"),
+    mutant("Pascal's triangle lacks a fold", Mismatch, Function("sobol"),
+        "corput/pmj02.glsl", "    y ^= (y & 0xccccccccu) >> 2;\n", ""),
+    mutant("pmj02 in order", Mismatch, Function("pmj02"),
+        "corput/pmj02.glsl", "corput_sobol_pair(corput_pmj02_index(n, seed))", "corput_sobol_pair(n)"),
+    mutant("both coordinates of pmj02 scrambled alike", Mismatch, Function("pmj02"),
+        "corput/pmj02.glsl", "corput_pmj02_scramble(p.y, 1u, seed)", "corput_pmj02_scramble(p.y, 0u, seed)"),
+    mutant("pmj02 ignores its seed", Mismatch, Function("pmj02"),
+        "corput/pmj02.glsl", "0x80000000u | which, seed)", "0x80000000u | which, uvec2(0u))"),
+    mutant("pmj02 has the numbers of a scrambled Sobol sequence", Mismatch, Function("pmj02"),
+        "corput/pmj02.glsl", "0x80000000u | which", "which"),
+    // Domains.
+    mutant("a child ignores its key", Mismatch, Function("domain_child"),
+        "corput/domain.glsl", "uvec4(parent.pattern, key, 0u)", "uvec4(parent.pattern, 0u, 0u)"),
+    mutant("a split without its size", Mismatch, Function("domain_chain"),
+        "corput/domain.glsl", "child.index * size + branch", "child.index + branch"),
+    mutant("a chain ignores its link", Mismatch, Function("domain_chain"),
+        "corput/domain.glsl", "uvec4(v.xy, link, 2u)", "uvec4(v.xy, 0u, 2u)"),
+    mutant("a domain ignores its frame", Mismatch, Function("domain"),
+        "corput/domain.glsl", "uvec4(pixel, frame, seed)", "uvec4(pixel, 0u, seed)"),
+    mutant("one seed for all dimensions of a draw", Mismatch, Function("domain"),
+        "corput/domain.glsl", "corput_seed(domain.pattern, d, 4u)", "corput_seed(domain.pattern, 0u, 4u)"),
+    mutant("the second pair of a draw is the first", Mismatch, Function("draw_pmj02"),
+        "corput/domain_draw.glsl", "corput_pmj02(domain.index, other)", "corput_pmj02(domain.index, domain.pattern)"),
+    mutant("both pairs of a draw shuffled alike", Mismatch, Function("draw_pairs"),
+        "corput/domain_draw.glsl", "uvec2 q = corput_sobol_pair(corput_owen_hash(domain.index, corput_domain_seed(domain, 1u)));",
+        "uvec2 q = corput_sobol_pair(corput_owen_hash(domain.index, corput_domain_seed(domain, 0u)));"),
+    mutant("a dimension of a draw twice", Mismatch, Function("draw_sobol"),
+        "corput/domain_sobol.glsl", "corput_owen_hash(corput_sobol(n, 3u), corput_domain_seed(domain, 4u))",
+        "corput_owen_hash(corput_sobol(n, 2u), corput_domain_seed(domain, 4u))"),
+    mutant("a draw of Sobol in order", Mismatch, Function("draw_sobol_owen"),
+        "corput/domain_sobol.glsl", "uint n = corput_owen(domain.index, 4u, domain.pattern);", "uint n = domain.index;"),
+    mutant("a draw of Halton in other primes", Mismatch, Function("draw_halton"),
+        "corput/domain_halton.glsl", "CORPUT_PRIME(3u)", "CORPUT_PRIME(2u)"),
+    // Columns.
+    mutant("a tile stays in its block of 256", Mismatch, Tile(sobol),
+        "kernels/column_net.glsl", "(index & 255u) == 0u ? cursor.next_high : cursor.high", "cursor.high"),
+    mutant("a block's carry one point late", Mismatch, Tile(sobol),
+        "kernels/column_net.glsl", "(index & 255u) == 0u", "(index & 255u) == 1u"),
+    mutant("the highest direction number is left out", Mismatch, Tile(sobol),
+        "kernels/column_net.glsl", " ^ NET_BIT(block, 23, d.d31);", ";"),
+    mutant("directions begin a word late", Mismatch, Generate(sobol),
+        "kernels/column_net.glsl", "columns[at + 5u], at + 6u", "columns[at + 5u], at + 7u"),
+    mutant("words of a seed swapped", Mismatch, Tile(sobol_owen),
+        "kernels/column_net.glsl", "corput_owen(x, c.dimension, uvec2(c.seed_low, c.seed_high))",
+        "corput_owen(x, c.dimension, uvec2(c.seed_high, c.seed_low))"),
+    mutant("a dimension for a seed", Mismatch, Generate(sobol_owen),
+        "kernels/column_net.glsl", "corput_owen(x, c.dimension, uvec2(c.seed_low, c.seed_high))",
+        "corput_owen(x, c.seed_low, uvec2(c.dimension, c.seed_high))"),
+    mutant("the fast scramble by the shift", Mismatch, Tile(sobol_owen_hash),
+        "kernels/column_net.glsl", "corput_owen_hash(x, c.hash)", "corput_owen_hash(x, c.shift)"),
+    mutant("x for y in columns of pmj02", Mismatch, Tile(pmj02),
+        "kernels/column_net.glsl", "c.dimension == 0u ? p.x : p.y", "p.x"),
+    mutant("a column of random numbers ignores its dimension", Mismatch, Tile(random),
+        "kernels/column_random.glsl", "corput_random(n, c.dimension,", "corput_random(n, 0u,"),
+    mutant("the fast random numbers for the others", Mismatch, Generate(random),
+        "kernels/column_random.glsl", "return corput_random(n", "return corput_random_fast(n"),
+    mutant("the fast random numbers' seed halved", Mismatch, Tile(random_fast),
+        "kernels/column_random.glsl", "corput_random_fast(n, c.dimension, uvec2(c.seed_low, c.seed_high))",
+        "corput_random_fast(n, c.dimension, uvec2(c.seed_low, 0u))"),
+    mutant("PCG32 one number per point", Mismatch, Tile(pcg32),
+        "kernels/column_random.glsl", "corput_mul64(n, c.dimensions)", "uvec2(n, 0u)"),
+    mutant("PCG32's numbers below 2^32 alone", Mismatch, Generate(pcg32),
+        "kernels/column_random.glsl", "corput_add64(corput_mul64(n, c.dimensions), uvec2(c.dimension, 0u))",
+        "uvec2(n * c.dimensions + c.dimension, 0u)"),
+    mutant("every axis of a grid with the first one's stride", Mismatch, Tile(stratified),
+        "kernels/column_strata.glsl", "corput_stratified(n, c.stride,", "corput_stratified(n, 1u,"),
+    mutant("one jitter for all axes", Mismatch, Generate(stratified),
+        "kernels/column_strata.glsl", "corput_random(n, c.dimension,", "corput_random(n, 0u,"),
+    mutant("floats of strata cut", Mismatch, Tile(stratified_floats),
+        "kernels/column_strata.glsl", "corput_unit_stratum(fraction, c.strata)", "corput_unit_floor(fraction)"),
+    mutant("a grid on its side", Mismatch, Tile(cmj),
+        "kernels/column_strata.glsl", "uvec2(c.grid_x, c.grid_y)", "uvec2(c.grid_y, c.grid_x)"),
+    mutant("a lattice not rotated", Mismatch, Tile(lattice),
+        "kernels/column_lattice.glsl", "corput_rotate(corput_lattice(n, c.step_low), c.shift)", "corput_lattice(n, c.step_low)"),
+    mutant("the recurrence's step of 32 bits", Mismatch, Tile(r2),
+        "kernels/column_lattice.glsl", "uvec2(c.step_low, c.step_high)", "uvec2(0u, c.step_high)"),
+    mutant("floats of multiples of 1/N cut", Mismatch, Tile(korobov_floats),
+        "kernels/column_lattice.glsl", "c.kind == KOROBOV ? corput_unit_ceil(fraction) : corput_unit_floor(fraction)",
+        "corput_unit_floor(fraction)"),
+    mutant("kinds of digits swapped", Mismatch, Tile(halton_permuted),
+        "kernels/column_digits.glsl", "c.kind == PERMUTED", "c.kind == OWEN"),
+    mutant("floats of Faure's inverses cut", Mismatch, Tile(halton_faure_floats),
+        "kernels/column_digits.glsl", "c.kind == FAURE && c.base != 2u", "false"),
+    mutant("floats of Faure's inverses go up in base 2", Mismatch, Generate(halton_faure_floats),
+        "kernels/column_digits.glsl", " && c.base != 2u", ""),
     // The frame.
     mutant("fma in the frame", Linter, Function("frame_to_world"),
         "corput/frame.glsl", "CORPUT_PRECISE float abc = ab + c;", "float abc = fma(v.z, w.z, ab);"),
