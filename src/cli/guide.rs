@@ -1,7 +1,7 @@
 //! What `generate --help` says of sequences, scrambles and maps, from the catalogue.
 
 use super::{mask, points};
-use corput::catalog::{MAPS, SCRAMBLES, SEQUENCES, Scramble, Sequence};
+use corput::catalog::{Guide, MAPS, SCRAMBLES, SEQUENCES, Scramble, Sequence};
 
 /// Names in a row.
 fn names<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
@@ -68,8 +68,20 @@ pub fn generate() -> String {
         "Sequences, and what each takes besides --count, --first, --dims and --seed:".to_owned(),
     ];
     for sequence in SEQUENCES {
-        section(&mut lines, *sequence);
+        section(
+            &mut lines,
+            sequence.name(),
+            sequence.guide(),
+            &takes(*sequence),
+        );
     }
+    section(&mut lines, points::NAME, points::GUIDE, "2 dimensions");
+    section(
+        &mut lines,
+        mask::NAME,
+        mask::GUIDE,
+        "instead of --count and --first: --size; --channels; --frames",
+    );
     lines.push("\nScrambles:".to_owned());
     let scrambles = SCRAMBLES.iter();
     lines.extend(scrambles.map(|s| format!("  {:<10} {}", s.name(), s.summary())));
@@ -89,8 +101,7 @@ const EXAMPLES: [&str; 5] = [
     "hammersley --first 100 --count 100 --total 1000 --fractions --device cpu --out -",
 ];
 
-fn section(lines: &mut Vec<String>, sequence: Sequence) {
-    let guide = sequence.guide();
+fn takes(sequence: Sequence) -> String {
     let dimensions = match sequence.dimensions() {
         (1, 1) => "1 dimension".to_owned(),
         (least, most) if least == most => format!("{least} dimensions"),
@@ -101,11 +112,15 @@ fn section(lines: &mut Vec<String>, sequence: Sequence) {
     if sequence.scrambles().len() > 1 {
         takes.push(format!("--scramble {}", scrambles_of(sequence)));
     }
-    lines.push(format!("  {:<15} {}", sequence.name(), guide.what));
+    takes.join("; ")
+}
+
+fn section(lines: &mut Vec<String>, name: &str, guide: Guide, takes: &str) {
+    lines.push(format!("  {name:<15} {}", guide.what));
     for what in [
-        format!("for: {}", guide.purpose),
-        format!("points: {}", guide.points),
-        takes.join("; "),
+        &format!("for: {}", guide.purpose),
+        &format!("points: {}", guide.points),
+        takes,
     ] {
         lines.push(format!("  {:<15} {what}", ""));
     }

@@ -7,6 +7,7 @@
 use super::args::GenerateArgs;
 use super::{host, interrupt, progress};
 use corput::blue_noise::{MaskShape, void_and_cluster};
+use corput::catalog::Guide;
 use corput::kernels::VoidAndCluster;
 use corput::picture::{self, Size};
 use corput::reference::blue_noise::blue_noise_fraction;
@@ -16,6 +17,14 @@ use corput::{Error, Result};
 
 /// The name on the command line.
 pub const NAME: &str = "blue-noise-mask";
+
+/// What it is, as `generate --help` says it.
+pub const GUIDE: Guide = Guide {
+    what: "ranks of pixels by void-and-cluster, to 256 x 256 or 64 x 64 x 16",
+    purpose: "dithering, and one offset per pixel",
+    points: "any size; all ranks once",
+    source: "Ulichney 1993, Wolfe et al. 2022",
+};
 
 /// How a mask is written. Frames lie one below the other in pictures, and along the first
 /// axis of an array; channels along the last.

@@ -5,12 +5,20 @@ use super::generate::{arguments, count, output, stream};
 use super::{host, interrupt, mask};
 use corput::blue_noise::{blue_noise_points, check_count};
 use corput::bulk::Stored;
-use corput::catalog::{Map, Output, Profile, Scramble, check_map};
+use corput::catalog::{Guide, Map, Output, Profile, Scramble, check_map};
 use corput::report::{Element, Layout, Sink};
 use corput::{Error, Result};
 
 /// The name on the command line.
 pub const NAME: &str = "blue-noise";
+
+/// What it is, as `generate --help` says it.
+pub const GUIDE: Guide = Guide {
+    what: "points far from each other, by sample elimination",
+    purpose: "pixels and stippling; to 65,536 points of two dimensions",
+    points: "a set of any N; each prefix is spread well",
+    source: "Yuksel 2015",
+};
 
 /// Dimensions of a point.
 const DIMENSIONS: u64 = 2;

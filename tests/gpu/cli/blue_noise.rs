@@ -158,7 +158,10 @@ fn what_they_lack_is_refused() {
             "blue-noise --count 5 --size 5",
             &["--size", "blue-noise-mask"],
         ),
-        ("blue-noise --count 5 --dims 3", &["3 dimensions", "2 to 2"]),
+        (
+            "blue-noise --count 5 --dims 3",
+            &["3 dimensions", "it has 2:"],
+        ),
         ("blue-noise --count 5 --first 1", &["--first"]),
         ("blue-noise --count 5 --bases 2,3", &["--bases"]),
         (

@@ -118,7 +118,8 @@ fn raw_has_its_description_beside_it() {
         return;
     }
     let desk = Desk::new();
-    let line = "halton --count 5000 --bases 3,2 --first 9 --fractions --seed 18446744073709551615";
+    let line = "halton --count 5000 --bases 3,2 --first 9 --fractions --scramble owen \
+                --seed 18446744073709551615";
     let array = npy(&desk.make(line, "p.npy"));
     for device in ["", " --device cpu"] {
         let data = desk.make(&format!("{line}{device}"), "p.raw");
@@ -138,6 +139,7 @@ fn raw_has_its_description_beside_it() {
             ("count", json!(5000)),
             ("first", json!(9)),
             ("bases", json!([3, 2])),
+            ("scramble", json!("owen")),
             ("seed", json!(u64::MAX)),
             ("fractions", json!(true)),
             ("map", Value::Null),

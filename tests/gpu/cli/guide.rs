@@ -1,6 +1,6 @@
 //! What the program says of itself, and warns of.
 
-use super::{Desk, Run, skips};
+use super::{Desk, Run, repository, skips};
 use corput::catalog::{MAPS, SCRAMBLES, SEQUENCES};
 
 #[test]
@@ -8,16 +8,27 @@ fn help_names_everything_there_is() {
     let desk = Desk::new();
     let help = desk.say("generate --help");
     let words = help.split_whitespace().collect::<Vec<_>>().join(" ");
-    for sequence in SEQUENCES {
-        let guide = sequence.guide();
-        for text in [
-            &format!("{} {}", sequence.name(), guide.what),
-            guide.purpose,
-            guide.points,
-        ] {
-            assert!(words.contains(text), "no `{text}`");
+    // The README's rows: a name, what it is, its use, its source, its points.
+    let readme = std::fs::read_to_string(repository("README.md")).unwrap();
+    let (_, table) = readme.split_once("| sequence |").unwrap();
+    let rows = table
+        .lines()
+        .skip(2)
+        .take_while(|line| line.starts_with("| `"));
+    let mut names = Vec::new();
+    for row in rows {
+        let cells: Vec<&str> = row.trim_matches(['|', ' ']).split(" | ").collect();
+        let [name, what, purpose, _, points] = cells[..] else {
+            panic!("a row of other cells: {row}")
+        };
+        let name = name.trim_matches('`');
+        for text in [&format!("{name} {what}"), purpose, points] {
+            assert!(words.contains(text), "{name}: no `{text}`");
         }
+        names.push(name);
     }
+    let known = SEQUENCES.iter().map(|sequence| sequence.name());
+    assert!(known.chain(["blue-noise", "blue-noise-mask"]).eq(names));
     for scramble in SCRAMBLES {
         let text = format!("{} {}", scramble.name(), scramble.summary());
         assert!(words.contains(&text), "no `{text}`");
