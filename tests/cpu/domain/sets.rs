@@ -151,9 +151,12 @@ fn branches_of_all_samples_are_one_sequence() {
     assert!((90_000..90_300).eq(odd.iter().map(|d| d.index)));
 }
 
+/// A way to split a domain: domain, key, size, branch.
+type Split = fn(Domain, u32, u32, u32) -> Domain;
+
 #[test]
 fn splits_that_are_no_sequence_are_refused() {
-    let broken: [(&str, fn(Domain, u32, u32, u32) -> Domain); 4] = [
+    let broken: [(&str, Split); 4] = [
         ("without size", |d, key, _, branch| {
             (TREE.split)(d, key, 1, branch)
         }),
