@@ -47,11 +47,13 @@ fn as_many_dimensions_as_there_are_primes() {
     let primes = (2..8162u32).filter(|n| (2..*n).take_while(|d| d * d <= *n).all(|d| n % d != 0));
     let mut columns: Vec<_> = primes.map(Base).collect();
     assert_eq!(columns.len(), 1024);
-    let array = npy(&desk.make("halton --count 300 --dims 1024", "p.npy"));
-    assert_points(&array, 0, &columns);
-    columns.push(Grid(300));
-    let array = npy(&desk.make("hammersley --count 300 --dims 1025", "h.npy"));
-    assert_points(&array, 0, &columns);
+    // The last ones: so few of the first would be warned of.
+    let range = "--first 4294966996 --count 300";
+    let array = npy(&desk.make(&format!("halton {range} --dims 1024"), "p.npy"));
+    assert_points(&array, 4_294_966_996, &columns);
+    columns.push(Grid(1 << 32));
+    let array = npy(&desk.make(&format!("hammersley {range} --dims 1025"), "h.npy"));
+    assert_points(&array, 4_294_966_996, &columns);
 }
 
 fn assert_unit(array: &Array) {

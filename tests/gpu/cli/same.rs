@@ -46,7 +46,8 @@ fn points_are_those_of_the_cpu() {
             }
         }
     }
-    assert_same(&desk, "halton --count 1 --dims 2");
+    assert_same(&desk, "vdc --count 1");
+    assert_same(&desk, "halton --count 6 --dims 2");
     assert_same(&desk, "halton --count 1000 --dims 1024 --first 4294966296");
 }
 
