@@ -9,6 +9,8 @@ pub enum Kind {
     Word,
     /// Several words: all pairs of edges, and random ones.
     Words,
+    /// Several words of a function that takes long: fewer pairs of edges, fewer random ones.
+    CostlyWords,
     /// One float.
     Float,
     /// Two floats.
@@ -87,17 +89,24 @@ const fn random(name: &'static str, header: &'static str, id: u32) -> Function {
     }
 }
 
+const fn costly(name: &'static str, header: &'static str, id: u32) -> Function {
+    Function {
+        kind: Kind::CostlyWords,
+        ..random(name, header, id)
+    }
+}
+
 const fn net(name: &'static str, header: &'static str, id: u32) -> Function {
     Function {
         kernel: "evaluate_net",
-        ..integer(name, header, id, Kind::Words)
+        ..integer(name, header, id, Kind::CostlyWords)
     }
 }
 
 const fn domain(name: &'static str, header: &'static str, id: u32) -> Function {
     Function {
         kernel: "evaluate_domain",
-        ..integer(name, header, id, Kind::Words)
+        ..integer(name, header, id, Kind::CostlyWords)
     }
 }
 
@@ -200,11 +209,11 @@ pub const FUNCTIONS: &[Function] = &[
     random("random", "random", 4),
     random("random_fast", "random", 5),
     random("pcg32", "random", 6),
-    random("pcg32_advance", "random", 7),
+    costly("pcg32_advance", "random", 7),
     random("digital_shift", "owen", 8),
-    random("owen", "owen", 9),
+    costly("owen", "owen", 9),
     random("owen_hash", "owen", 10),
-    random("matrix_scramble", "owen", 11),
+    costly("matrix_scramble", "owen", 11),
     net("sobol", "sobol", 0),
     net("pmj02", "pmj02", 1),
     strata("permute", "permute", 0, Kind::Strata),
@@ -212,7 +221,7 @@ pub const FUNCTIONS: &[Function] = &[
     strata("unit_stratum", "stratified", 2, Kind::Strata),
     strata("stratified", "stratified", 3, Kind::Strata),
     strata("latin_hypercube", "stratified", 4, Kind::Strata),
-    strata("cmj", "stratified", 5, Kind::Words),
+    strata("cmj", "stratified", 5, Kind::CostlyWords),
     strata(
         "radical_inverse_faure",
         "scrambled_radical_inverse",

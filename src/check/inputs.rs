@@ -27,12 +27,13 @@ pub fn arguments(kind: Kind) -> Vec<[u32; 4]> {
             let strided = (0..1u32 << 20).map(|i| i.wrapping_mul(4097));
             words().into_iter().chain(strided).map(spread).collect()
         }
-        Kind::Words => pairs(&words(), mix),
+        Kind::Words => pairs(&words(), mix, 1, RANDOM),
+        Kind::CostlyWords => pairs(&words(), mix, 8, RANDOM / 16),
         Kind::Float => {
             let random = (0..RANDOM).map(|i| normal(mix(i)));
             floats().into_iter().chain(random).map(spread).collect()
         }
-        Kind::Floats => pairs(&floats(), |i| normal(mix(i))),
+        Kind::Floats => pairs(&floats(), |i| normal(mix(i)), 1, RANDOM),
         Kind::Radical => radical(),
         Kind::Grid => grid(),
         Kind::Direction => directions(),
@@ -45,15 +46,16 @@ fn spread(x: u32) -> [u32; 4] {
     [x, mix(x), mix(!x), mix(x ^ 0x9e37_79b9)]
 }
 
-/// All pairs of critical values, and random pairs.
-fn pairs(critical: &[u32], random: impl Fn(u32) -> u32) -> Vec<[u32; 4]> {
-    let mut list = Vec::with_capacity(critical.len().pow(2) + RANDOM as usize);
-    for &x in critical {
-        for &y in critical {
+/// One in `every` pairs of critical values, so that each value stands in either place as
+/// often, and random pairs.
+fn pairs(critical: &[u32], random: impl Fn(u32) -> u32, every: usize, count: u32) -> Vec<[u32; 4]> {
+    let mut list = Vec::with_capacity(critical.len().pow(2) / every + count as usize);
+    for (i, &x) in critical.iter().enumerate() {
+        for &y in critical.iter().skip(i % every).step_by(every) {
             list.push([x, y, mix(x ^ y), mix(x.wrapping_add(y))]);
         }
     }
-    list.extend((0..RANDOM).map(|i| {
+    list.extend((0..count).map(|i| {
         [
             random(4 * i),
             random(4 * i + 1),

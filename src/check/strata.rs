@@ -85,7 +85,7 @@ pub fn strata() -> Vec<[u32; 4]> {
     ]);
     for count in counts {
         let ends = (0..64).chain(count.saturating_sub(64)..count);
-        let random = (0..1024).map(|i| u64::from(mix(i)) % count);
+        let random = (0..256).map(|i| u64::from(mix(i)) % count);
         for (i, k) in (0u32..).zip(ends.chain(random).filter(|k| *k < count)) {
             let word = mix(i ^ (count as u32) << 12);
             let jitter = match i % 8 {
