@@ -218,15 +218,15 @@ fn data_that_do_not_fit_the_shape() {
 
 #[test]
 fn values_outside_the_unit_cube_are_named() {
-    for (value, word) in [
-        (1.0, "is 1;"),
-        (f32::NAN, "NaN"),
-        (-f32::MIN_POSITIVE, "-0.0000"),
-        (f32::INFINITY, "inf"),
+    for (value, word, remedy) in [
+        (1.0, "is 1;", "scale"),
+        (f32::NAN, "NaN", "replace"),
+        (-f32::MIN_POSITIVE, "-0.0000", "scale"),
+        (f32::INFINITY, "inf", "replace"),
     ] {
         let data = singles(&[0.5, 0.5, 0.5, value, 2.0, 2.0]);
         let bytes = npy(&dictionary("<f4", "False", "(3, 2)"), &data);
-        refuses(&bytes, &["row 1, column 1", word, "[0, 1)", "scale"]);
+        refuses(&bytes, &["row 1, column 1", word, "[0, 1)", remedy]);
     }
     let columns = singles(&[0.5, 0.5, 0.5, 1.0]);
     let bytes = npy(&dictionary("<f4", "True", "(2, 2)"), &columns);
