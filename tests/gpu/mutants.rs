@@ -15,7 +15,7 @@ use corput::kernels;
 use corput::spirv::{exact_policy, lint, remove_no_contraction};
 use corput::vulkan::Device;
 use harness::{Edit, Outcome, Target, run, spirv};
-use list::{Killer, MUTANTS, Mutant};
+use list::{Killer, Mutant, mutants};
 
 /// What kills a mutant, in order of precedence, and the figures; `None`: it survives.
 fn death(outcome: &Outcome) -> Option<(Killer, String)> {
@@ -58,7 +58,7 @@ fn every_mutant_is_killed() {
             edit,
             target,
             killer,
-        } in MUTANTS
+        } in mutants()
         {
             match death(&run(device, Some(edit), *target)) {
                 Some((by, figures)) => {
@@ -79,7 +79,7 @@ fn every_mutant_is_killed() {
 fn the_unmutated_source_passes_on_the_same_path() {
     support::on_one_device(|device| {
         let mut seen = Vec::new();
-        for Mutant { target, .. } in MUTANTS {
+        for Mutant { target, .. } in mutants() {
             let label = format!("{target:?}");
             if seen.contains(&label) {
                 continue;
