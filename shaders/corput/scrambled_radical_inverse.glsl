@@ -57,7 +57,8 @@ uint corput_faure_digit(uint digit, uint base) {
     return value;
 }
 
-// The radical inverse with digits scrambled in one of the four ways.
+// The radical inverse with digits scrambled in one of the four ways. Each way wants a seed of
+// its own: with the same one they share permutations, such as that of the first digit.
 uint corput_radical_inverse_scrambled(uint n, uint base, uint seed, uint scramble) {
     // No base: 0 is what corput_prime gives past its table.
     if (base < 2u || base > 65535u) {

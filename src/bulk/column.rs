@@ -21,17 +21,36 @@ use glam::{UVec2, uvec2};
 #[derive(Clone, Debug)]
 pub enum Prepared {
     Radical(Base),
-    Net(Box<[u32; 32]>, Column),
+    Sobol(Box<Sobol>),
     Plain(Column),
+}
+
+/// A coordinate of the Sobol sequence with its direction numbers.
+#[derive(Clone, Debug)]
+pub struct Sobol {
+    directions: [u32; 32],
+    dimension: u32,
+    gray: bool,
+    scramble: NetScramble,
+    seed: UVec2,
 }
 
 impl Prepared {
     pub fn new(column: &Column) -> Self {
         match *column {
             Column::Radical(base) => Self::Radical(radical_base(base)),
-            Column::Sobol { dimension, .. } => {
-                Self::Net(Box::new(sobol_directions(dimension)), *column)
-            }
+            Column::Sobol {
+                dimension,
+                gray,
+                scramble,
+                seed,
+            } => Self::Sobol(Box::new(Sobol {
+                directions: sobol_directions(dimension),
+                dimension,
+                gray,
+                scramble,
+                seed: UVec2::from(seed),
+            })),
             column => Self::Plain(column),
         }
     }
@@ -40,7 +59,7 @@ impl Prepared {
     pub fn fraction(&self, n: u32) -> u32 {
         match self {
             Self::Radical(base) => radical_inverse_table(n, *base),
-            Self::Net(directions, column) => net(n, directions, *column),
+            Self::Sobol(column) => column.value(n),
             Self::Plain(column) => plain(n, *column),
         }
     }
@@ -49,7 +68,7 @@ impl Prepared {
     pub fn unit(&self, u: u32) -> f32 {
         match self {
             Self::Radical(_) => unit::unit_ceil(u),
-            Self::Net(..) => unit::unit_floor(u),
+            Self::Sobol(_) => unit::unit_floor(u),
             Self::Plain(column) => match *column {
                 Column::Grid(_) | Column::Korobov { shift: None, .. } => unit::unit_ceil(u),
                 Column::Digits {
@@ -66,34 +85,30 @@ impl Prepared {
     }
 }
 
-/// The scrambles one by one, where the kernels fold what is linear into the directions.
-fn net(n: u32, directions: &[u32; 32], column: Column) -> u32 {
-    let Column::Sobol {
-        dimension,
-        gray: by_gray,
-        scramble,
-        seed,
-    } = column
-    else {
-        return 0;
-    };
-    let seed = UVec2::from(seed);
-    let x = sobol(if by_gray { gray(n) } else { n }, directions);
-    match scramble {
-        NetScramble::None => x,
-        NetScramble::Shift => digital_shift(x, derived_seed(seed, dimension, purpose::SHIFT)),
-        NetScramble::Matrix => digital_shift(
-            matrix_scramble(x, dimension, seed),
-            derived_seed(seed, dimension, purpose::MATRIX_SHIFT),
-        ),
-        NetScramble::Owen => owen(x, dimension, seed),
-        NetScramble::OwenHash => owen_hash(x, derived_seed(seed, dimension, purpose::OWEN_HASH)),
+impl Sobol {
+    /// The scrambles one by one, where the kernels fold what is linear into the directions.
+    fn value(&self, n: u32) -> u32 {
+        let (dimension, seed) = (self.dimension, self.seed);
+        let derived = |purpose| derived_seed(seed, dimension, purpose);
+        let x = sobol(if self.gray { gray(n) } else { n }, &self.directions);
+        match self.scramble {
+            NetScramble::None => x,
+            NetScramble::Shift => digital_shift(x, derived(purpose::SHIFT)),
+            NetScramble::Matrix => digital_shift(
+                matrix_scramble(x, dimension, seed),
+                derived(purpose::MATRIX_SHIFT),
+            ),
+            NetScramble::Owen => owen(x, dimension, seed),
+            NetScramble::OwenHash => owen_hash(x, derived(purpose::OWEN_HASH)),
+        }
     }
 }
 
 fn plain(n: u32, column: Column) -> u32 {
     match column {
-        Column::Radical(_) | Column::Sobol { .. } | Column::Reversed => van_der_corput(n),
+        Column::Reversed => van_der_corput(n),
+        // These two have constants that others share; alone they find them each time.
+        Column::Radical(_) | Column::Sobol { .. } => Prepared::new(&column).fraction(n),
         // 2^32 is written as 0.
         Column::Grid(count) => hammersley::hammersley(n, count as u32),
         Column::Digits {

@@ -1,6 +1,6 @@
 //! Look-ups of dither masks, and the kernel that makes the masks.
 
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use crate::blue_noise::{MaskShape, void_and_cluster};
 use crate::kernels::VoidAndCluster;
 use crate::reference::{blue_noise, screen_space};
@@ -74,8 +74,7 @@ pub fn check(device: &Arc<Device>) -> Result<Row> {
 /// # Errors
 /// Those of the device.
 pub fn compare_mask(kernel: &VoidAndCluster) -> Result<Row> {
-    let (mut compared, mut mismatches) = (0, 0);
-    let mut witness = String::new();
+    let mut row = Row::exact("blue_noise_mask", "void_and_cluster");
     for [width, height, frames] in SHAPES {
         let shape = MaskShape::new(width, height, frames)?;
         let got = match kernel.ranks(shape, SEED, &mut |_| Ok(())) {
@@ -85,29 +84,10 @@ pub fn compare_mask(kernel: &VoidAndCluster) -> Result<Row> {
         };
         let expected = void_and_cluster(shape, SEED);
         for (i, (got, expected)) in got.iter().zip(&expected).enumerate() {
-            compared += 1;
-            if got != expected {
-                mismatches += 1;
-                if witness.is_empty() {
-                    witness = format!(
-                        "pixel {i} of {width} x {height} x {frames}: rank {got}, not {expected}"
-                    );
-                }
-            }
+            row.count(got == expected, || {
+                format!("pixel {i} of {width} x {height} x {frames}: rank {got}, not {expected}")
+            });
         }
     }
-    Ok(Row {
-        name: "blue_noise_mask".to_owned(),
-        kernel: "void_and_cluster".to_owned(),
-        profile: "exact",
-        tier: "I",
-        compared,
-        mismatches: Some(mismatches),
-        worst: None,
-        bound: None,
-        unit: "",
-        witness,
-        verdict: Verdict::Failed,
-    }
-    .judged())
+    Ok(row.judged())
 }

@@ -3,22 +3,12 @@
 use super::strata;
 use crate::catalog::Kind;
 use crate::reference::hemisphere;
+pub use crate::reference::permute::permute_mix as mix;
 use crate::tables::PRIMES;
 use glam::uvec2;
 
 /// Random arguments of each function, besides the critical ones.
 const RANDOM: u32 = 1 << 18;
-
-/// A bijective mixer of 32 bits, after Wellons (lowbias32): spreads inputs
-/// without a state.
-#[must_use]
-pub fn mix(mut x: u32) -> u32 {
-    x ^= x >> 16;
-    x = x.wrapping_mul(0x7feb_352d);
-    x ^= x >> 15;
-    x = x.wrapping_mul(0x846c_a68b);
-    x ^ (x >> 16)
-}
 
 /// Arguments for a kind of function.
 pub fn arguments(kind: Kind) -> Vec<[u32; 4]> {

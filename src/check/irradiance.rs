@@ -1,7 +1,7 @@
 //! The irradiance kernel and its lookup of texels, on a map of noise.
 
 use super::inputs::mix;
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use crate::Result;
 use crate::bulk::{RadianceMap, irradiance_sum, row_edges, sum_scale};
 use crate::kernels::Irradiator;
@@ -26,28 +26,13 @@ pub fn check(device: &Arc<Device>) -> Result<Row> {
     };
     let scale = sum_scale(u32::MAX as f32 * 1e-6, COUNT);
     let irradiator = Irradiator::new(device, SIZE, &texels, &edges)?;
-    let mut mismatches = 0;
-    let mut witness = String::new();
+    let mut row = Row::exact("irradiance, envmap_texel", "irradiance");
     for axis in 0..6 {
         let got = irradiator.run(axis, COUNT, scale)?.0.channels;
         let expected = irradiance_sum(map, axis, COUNT, scale);
-        if got != expected {
-            mismatches += 1;
-            witness = format!("axis {axis}: {got:x?}, not {expected:x?}");
-        }
+        row.count(got == expected, || {
+            format!("axis {axis}: {got:x?}, not {expected:x?}")
+        });
     }
-    Ok(Row {
-        name: "irradiance, envmap_texel".to_owned(),
-        kernel: "irradiance".to_owned(),
-        profile: "exact",
-        tier: "I",
-        compared: 6,
-        mismatches: Some(mismatches),
-        worst: None,
-        bound: None,
-        unit: "",
-        witness,
-        verdict: Verdict::Failed,
-    }
-    .judged())
+    Ok(row.judged())
 }

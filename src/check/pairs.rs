@@ -1,7 +1,7 @@
 //! The kernels over pairs of points: their sums and nearest pairs.
 
 use super::inputs::mix;
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use crate::Result;
 use crate::bulk::{Columns, NearestWords, nearest_words, pair_kind_of, pair_scale, pair_sum};
 use crate::kernels::Pairs;
@@ -46,7 +46,7 @@ pub fn check_sums(device: &Arc<Device>) -> Result<Row> {
 /// # Errors
 /// Those of `sum`.
 pub fn compare_pair_sums(sum: Sum) -> Result<Row> {
-    let mut row = row(
+    let mut row = Row::exact(
         "pair sums: star, centred, wrap-around, mixture, modified",
         "pairs",
     );
@@ -56,7 +56,7 @@ pub fn compare_pair_sums(sum: Sum) -> Result<Row> {
             let scale = pair_scale(kind, dimensions);
             let got = sum(kind, &columns, scale)?;
             let expected = pair_sum(kind, &columns, scale);
-            row.add(got == expected, || {
+            row.count(got == expected, || {
                 format!("{kind:?}, {dimensions} dimensions: {got:x}, not {expected:x}")
             });
         }
@@ -85,45 +85,16 @@ pub fn check_nearest(device: &Arc<Device>) -> Result<Row> {
 /// # Errors
 /// Those of `search`.
 pub fn compare_nearest(search: Search) -> Result<Row> {
-    let mut row = row("nearest pair: torus, cube", "nearest");
+    let mut row = Row::exact("nearest pair: torus, cube", "nearest");
     for (count, dimensions) in SETS {
         let columns = columns(count, dimensions)?;
         for toroidal in [true, false] {
             let got = search(&columns, toroidal)?;
             let expected = nearest_words(&columns, toroidal);
-            row.add(got == expected, || {
+            row.count(got == expected, || {
                 format!("{dimensions} dimensions: {got:x?}, not {expected:x?}")
             });
         }
     }
     Ok(row.judged())
-}
-
-fn row(name: &str, kernel: &str) -> Row {
-    Row {
-        name: name.to_owned(),
-        kernel: kernel.to_owned(),
-        profile: "exact",
-        tier: "I",
-        compared: 0,
-        mismatches: Some(0),
-        worst: None,
-        bound: None,
-        unit: "",
-        witness: String::new(),
-        verdict: Verdict::Failed,
-    }
-}
-
-impl Row {
-    /// Counts a comparison.
-    fn add(&mut self, equal: bool, witness: impl Fn() -> String) {
-        self.compared += 1;
-        if !equal {
-            self.mismatches = self.mismatches.map(|count| count + 1);
-            if self.witness.is_empty() {
-                self.witness = witness();
-            }
-        }
-    }
 }

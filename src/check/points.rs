@@ -1,6 +1,6 @@
 //! Kernels that make points: each against the reference, word for word.
 
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use crate::Result;
 use crate::bulk::Reference;
 use crate::catalog::{Engine, Options, Output, Request, Sequence};
@@ -73,19 +73,7 @@ pub fn compare_points(
     mut make: impl FnMut(u64, u64) -> Result<Vec<u32>>,
 ) -> Result<Row> {
     let request = &case.request;
-    let mut row = Row {
-        name: case.name.clone(),
-        kernel: case.kernel.to_owned(),
-        profile: "exact",
-        tier: "I",
-        compared: 0,
-        mismatches: Some(0),
-        worst: None,
-        bound: None,
-        unit: "",
-        witness: String::new(),
-        verdict: Verdict::Failed,
-    };
+    let mut row = Row::exact(&case.name, case.kernel);
     let reference = Reference::new(request);
     let width = request.words_per_point() as usize;
     let points = points(request);
@@ -93,20 +81,14 @@ pub fn compare_points(
     for start in starts(request.count, points) {
         let got = make(start, points)?;
         reference.fill(start, &mut expected);
-        row.compared += points;
-        let mut wrong = 0;
-        for (i, (g, e)) in got.chunks(width).zip(expected.chunks(width)).enumerate() {
-            if g != e {
-                wrong += 1;
-                if row.witness.is_empty() {
-                    let n = request.first + start + i as u64;
-                    row.witness = format!("point {n}: {g:08x?}, not {e:08x?}");
-                }
-            }
-        }
         // Missing words are mismatches as well.
-        wrong += (expected.len() - got.len().min(expected.len())) as u64;
-        row.mismatches = row.mismatches.map(|count| count + wrong);
+        let mut got = got.chunks(width);
+        for (n, expected) in (request.first + start..).zip(expected.chunks(width)) {
+            let got = got.next().unwrap_or_default();
+            row.count(got == expected, || {
+                format!("point {n}: {got:08x?}, not {expected:08x?}")
+            });
+        }
     }
     Ok(row.judged())
 }

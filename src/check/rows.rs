@@ -43,6 +43,35 @@ pub struct Row {
 }
 
 impl Row {
+    /// A row of tier I that nothing has been compared for.
+    #[must_use]
+    pub fn exact(name: &str, kernel: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            kernel: kernel.to_owned(),
+            profile: "exact",
+            tier: "I",
+            compared: 0,
+            mismatches: Some(0),
+            worst: None,
+            bound: None,
+            unit: "",
+            witness: String::new(),
+            verdict: Verdict::Failed,
+        }
+    }
+
+    /// Counts a comparison; the first that fails is the witness.
+    pub fn count(&mut self, equal: bool, witness: impl Fn() -> String) {
+        self.compared += 1;
+        if !equal {
+            self.mismatches = self.mismatches.map(|count| count + 1);
+            if self.witness.is_empty() {
+                self.witness = witness();
+            }
+        }
+    }
+
     /// A row that was not run.
     #[must_use]
     pub fn refused(function: &Function, reason: &str) -> Self {

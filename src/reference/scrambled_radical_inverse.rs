@@ -55,7 +55,8 @@ pub fn faure_digit(mut digit: u32, base: u32) -> u32 {
 }
 
 /// The radical inverse with digits scrambled in one of the four ways; the four functions
-/// below name them.
+/// below name them. Each way wants a seed of its own: with the same one they share
+/// permutations, such as that of the first digit.
 #[inline]
 #[must_use]
 pub fn radical_inverse_scrambled(mut n: u32, base: u32, seed: u32, scramble: u32) -> u32 {
