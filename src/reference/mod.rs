@@ -51,6 +51,8 @@ pub mod pmj02;
 pub mod primes;
 pub mod radical_inverse;
 pub mod random;
+pub mod real;
+pub mod real_vector;
 pub mod scrambled_radical_inverse;
 pub mod screen_space;
 pub mod sobol;
