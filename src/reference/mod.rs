@@ -43,6 +43,7 @@ pub mod hash;
 pub mod hemisphere;
 pub mod lattice;
 pub mod lattice_vector;
+pub mod logarithm;
 pub mod native;
 pub mod odometer;
 pub mod owen;
