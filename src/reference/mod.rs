@@ -34,6 +34,7 @@ pub mod domain_halton;
 pub mod domain_sobol;
 pub mod elementary;
 pub mod envmap;
+pub mod exponential;
 pub mod fixed;
 pub mod frame;
 pub mod halton;
