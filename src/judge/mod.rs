@@ -8,6 +8,7 @@ mod digits;
 mod functions;
 mod maps;
 pub mod random;
+pub mod spherical;
 mod strata;
 
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
