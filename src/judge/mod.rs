@@ -8,6 +8,7 @@ mod digits;
 mod functions;
 mod maps;
 pub mod random;
+pub mod spherical;
 mod strata;
 mod transcendental;
 
