@@ -45,7 +45,7 @@ pub(super) const MAPS: &[Map] = &[
             name: "theta_max",
             size: 1,
             default: None,
-            domain: "it must be above 0 and at most pi, and 2 sin^2(theta_max/2) at least 2^-100",
+            domain: "it must be from 1.3e-15 to pi",
             summary: "half the opening angle, in radians",
         }],
         prepare: cone,
@@ -62,7 +62,7 @@ pub(super) const MAPS: &[Map] = &[
 fn cone(values: &[f64]) -> Result<[f32; MAP_PARAMETERS], usize> {
     let &[theta] = values else { return Err(0) };
     let h = 2.0 * (0.5 * theta).sin().powi(2);
-    if !(theta > 0.0 && theta <= PI && h >= f64::powi(2.0, -100)) {
+    if !(1.3e-15..=PI).contains(&theta) {
         return Err(0);
     }
     let mut words = [0.0; MAP_PARAMETERS];
