@@ -9,6 +9,7 @@ mod functions;
 mod maps;
 mod normal;
 pub mod random;
+pub mod spherical;
 mod strata;
 mod transcendental;
 

@@ -25,6 +25,7 @@
 
 pub mod bits;
 pub mod blue_noise;
+pub mod cone;
 pub mod discrepancy;
 pub mod disk;
 pub mod distance;
@@ -60,5 +61,6 @@ pub mod scrambled_radical_inverse;
 pub mod screen_space;
 pub mod sobol;
 pub mod sobol_directions;
+pub mod sphere;
 pub mod stratified;
 pub mod unit;
