@@ -7,6 +7,7 @@
 mod digits;
 mod functions;
 mod maps;
+mod normal;
 pub mod random;
 pub mod spherical;
 mod strata;
@@ -20,6 +21,7 @@ pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
+pub use normal::{normal_density, normal_quantile, normal_tail};
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};
 

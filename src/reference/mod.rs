@@ -47,6 +47,7 @@ pub mod lattice;
 pub mod lattice_vector;
 pub mod logarithm;
 pub mod native;
+pub mod normal_quantile;
 pub mod odometer;
 pub mod owen;
 pub mod permute;
