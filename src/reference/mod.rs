@@ -23,6 +23,8 @@
     reason = "statements and literals read as in the shaders"
 )]
 
+pub mod angle;
+pub mod arc;
 pub mod bits;
 pub mod blue_noise;
 pub mod cone;
@@ -62,5 +64,7 @@ pub mod screen_space;
 pub mod sobol;
 pub mod sobol_directions;
 pub mod sphere;
+pub mod spherical_triangle;
 pub mod stratified;
 pub mod unit;
+pub mod wide;
