@@ -26,6 +26,7 @@
 pub mod bits;
 pub mod blue_noise;
 pub mod discrepancy;
+pub mod discrete;
 pub mod disk;
 pub mod distance;
 pub mod domain;
@@ -33,6 +34,7 @@ pub mod domain_draw;
 pub mod domain_halton;
 pub mod domain_sobol;
 pub mod elementary;
+pub mod environment;
 pub mod envmap;
 pub mod fixed;
 pub mod frame;
