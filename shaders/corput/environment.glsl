@@ -73,8 +73,10 @@ float corput_environment_z(uvec2 size, uint row, float z) {
 vec3 corput_environment_direction(uvec2 size, uvec2 texel, uvec2 place) {
     uvec2 cap = corput_environment_cap(size, texel.y);
     uvec2 extent = corput_sub64(corput_environment_cap(size, texel.y + 1u), cap);
-    // 1 - z and 1 + z, neither by a difference that cancels.
+    // 1 - z and 1 + z, neither by a difference that cancels; the fraction's middle, which
+    // is never at a pole, where the azimuth would be lost.
     uvec2 down = corput_add64(cap, corput_discrete_scale(extent, place.y));
+    down = corput_add64(down, corput_shr64(extent, 33u));
     uvec2 up = corput_sub64(uvec2(0u, 0x80000000u), down);
     bool below = down.y >= 0x40000000u;
     uvec2 rest = corput_sub64(uvec2(0u, 0x40000000u), below ? up : down);

@@ -15,7 +15,7 @@ use crate::reference::discrete::{
 };
 use crate::reference::elementary::{atan2, sincos_scaled};
 use crate::reference::envmap::{envmap_order, envmap_texel};
-use crate::reference::fixed::{add64, mul64, sub64};
+use crate::reference::fixed::{add64, mul64, shr64, sub64};
 use crate::reference::real::{
     Real, real, real_add, real_divide, real_float, real_fraction, real_less, real_multiply,
     real_negate, real_scaled, real_sqrt, real_square, real_subtract, real_uint, real_wide,
@@ -81,8 +81,10 @@ pub fn environment_z(size: UVec2, row: u32, z: f32, words: &[u32]) -> f32 {
 pub fn environment_direction(size: UVec2, texel: UVec2, place: UVec2, words: &[u32]) -> Vec3 {
     let cap = environment_cap(size, texel.y, words);
     let extent = sub64(environment_cap(size, texel.y + 1, words), cap);
-    // 1 - z and 1 + z, neither by a difference that cancels.
-    let down = add64(cap, discrete_scale(extent, place.y));
+    // 1 - z and 1 + z, neither by a difference that cancels; the fraction's middle, which
+    // is never at a pole, where the azimuth would be lost.
+    let mut down = add64(cap, discrete_scale(extent, place.y));
+    down = add64(down, shr64(extent, 33));
     let up = sub64(uvec2(0, 0x8000_0000), down);
     let below = down.y >= 0x4000_0000;
     let rest = sub64(uvec2(0, 0x4000_0000), if below { up } else { down });
