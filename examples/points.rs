@@ -3,13 +3,13 @@
 //! `cargo run --release --example points`
 
 use corput::bulk::Reference;
-use corput::catalog::{Engine, Map, Options, Request, Sequence};
+use corput::catalog::{Engine, Map, Mapping, Options, Request, Sequence};
 use corput::kernels::Generator;
 use corput::vulkan::{Device, Instance, InstanceOptions, select};
 
 fn main() -> corput::Result<()> {
     let mut options = Options::new(Sequence::Halton, 1_000_000);
-    options.map = Some(Map::from_name("cosine-hemisphere")?);
+    options.map = Some(Mapping::new(Map::from_name("cosine-hemisphere")?, &[])?);
     let request = Request::new(&options)?;
 
     let instance = Instance::new(&InstanceOptions::default())?;

@@ -2,7 +2,7 @@
 //! time: a kernel whose words are not the reference's is not timed.
 
 use crate::bulk::Reference;
-use crate::catalog::{Map, Options, Profile, Request, Scramble, Sequence};
+use crate::catalog::{Map, Mapping, Options, Profile, Request, Scramble, Sequence};
 use crate::kernels::Generator;
 use crate::vulkan::Device;
 use crate::{Error, Result};
@@ -152,7 +152,7 @@ fn jobs() -> Result<Vec<Job>> {
         })?;
     }
     let map = |o: &mut Options, name: &str, profile| {
-        o.map = Some(Map::from_name(name)?);
+        o.map = Some(Mapping::new(Map::from_name(name)?, &[])?);
         o.profile = profile;
         Ok(())
     };

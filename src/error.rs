@@ -101,6 +101,18 @@ pub enum Error {
         /// Dimensions that it got.
         given: u32,
     },
+    /// A parameter of a map that is missing or outside its domain.
+    #[error("map {map}: {name} {problem}; {domain}")]
+    Parameter {
+        /// The map's name.
+        map: &'static str,
+        /// The parameter's.
+        name: String,
+        /// What is wrong with it.
+        problem: String,
+        /// What it may be.
+        domain: String,
+    },
     /// Two arguments that exclude each other, or one that lacks another.
     #[error("{asked}: {limit}; {remedy}")]
     Arguments {
@@ -278,6 +290,7 @@ impl Error {
             | Self::RepeatedBase { .. }
             | Self::Dimensions { .. }
             | Self::MapDimensions { .. }
+            | Self::Parameter { .. }
             | Self::Arguments { .. }
             | Self::UnknownName { .. }
             | Self::Output { .. }

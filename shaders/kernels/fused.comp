@@ -2,7 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // Points to samples of a map in one kernel: no point travels through memory.
 #include "interface.glsl"
-#include "map.glsl"
+#include "map_hemisphere.glsl"
+#include "map_store.glsl"
 #include "tile.glsl"
 
 void main() {
@@ -11,15 +12,16 @@ void main() {
         return;
     }
     Tile tile = tile_start(push.first + i * TILE);
-    uint at = i * (TILE / 4u) * map_width();
+    uint width = COORDINATES + WITH_PDF;
+    uint at = i * (TILE / 4u) * width;
     // A loop, not four copies: the maps are long, and some drivers compile slowly.
     for (uint j = 0u; j < TILE; j += 4u) {
         uvec4 samples[4];
         for (uint k = 0u; k < 4u; k++) {
-            samples[k] = map_sample(tile_fractions(tile).xy);
+            samples[k] = map_sample(uvec3(tile_fractions(tile).xy, 0u));
             tile = tile_next(tile);
         }
-        map_store(at, samples[0], samples[1], samples[2], samples[3]);
-        at += map_width();
+        map_store(at, width, samples[0], samples[1], samples[2], samples[3]);
+        at += width;
     }
 }

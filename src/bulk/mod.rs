@@ -2,10 +2,12 @@
 
 mod column;
 mod irradiance;
+mod maps;
 mod pairs;
 mod stored;
 
 pub use irradiance::{RadianceMap, irradiance_sum, row_edges, sum_scale};
+pub use maps::{map_invert, map_pdf, map_sample};
 pub use pairs::{
     Columns, MAX_PAIR_DIMENSIONS, NearestWords, l2_from_sum, nearest_words, pair_kind_of,
     pair_scale, pair_sum,
@@ -13,12 +15,8 @@ pub use pairs::{
 pub use stored::Stored;
 
 use crate::Result;
-use crate::catalog::{Engine, Map, Output, Profile, Request};
-use crate::interface::map;
-use crate::reference::native::{disk as native_disk, hemisphere as native_hemisphere};
-use crate::reference::{disk, hemisphere};
+use crate::catalog::{Engine, Output, Request};
 use column::Prepared;
-use glam::{UVec2, Vec2, Vec3, uvec2};
 
 /// Makes the points of a request on the CPU.
 #[derive(Clone, Debug)]
@@ -61,15 +59,13 @@ impl Reference {
     }
 
     fn row(&self, n: u32, row: &mut [u32]) {
-        if let Some(map) = self.request.map {
-            let u = uvec2(self.columns[0].fraction(n), self.columns[1].fraction(n));
-            let sample = match self.request.profile {
-                Profile::Exact => exact(map, u),
-                Profile::Native => native(map, u),
-            };
-            for (word, value) in row.iter_mut().zip(sample) {
-                *word = value.to_bits();
+        if let Some(mapping) = &self.request.map {
+            let mut u = [0; 3];
+            for (u, column) in u.iter_mut().zip(&self.columns) {
+                *u = column.fraction(n);
             }
+            let sample = map_sample(mapping, self.request.profile, u);
+            row.copy_from_slice(&sample[..row.len()]);
             return;
         }
         for (word, column) in row.iter_mut().zip(&self.columns) {
@@ -104,56 +100,4 @@ impl Engine for Reference {
     fn chunk(&self) -> u64 {
         PIECE
     }
-}
-
-/// Coordinates and pdf in the exact profile: (x, y, pdf, 0) of a disk, (x, y, z, pdf) of
-/// a hemisphere.
-#[must_use]
-pub fn exact(which: &Map, u: UVec2) -> [f32; 4] {
-    match which.id {
-        map::CONCENTRIC_DISK => planar(disk::concentric_disk(u), disk::concentric_disk_pdf()),
-        map::POLAR_DISK => planar(disk::polar_disk(u), disk::polar_disk_pdf()),
-        map::UNIFORM_HEMISPHERE => {
-            let d = hemisphere::uniform_hemisphere(u);
-            spatial(d, hemisphere::uniform_hemisphere_pdf(d))
-        }
-        map::COSINE_HEMISPHERE => {
-            let d = hemisphere::cosine_hemisphere(u);
-            spatial(d, hemisphere::cosine_hemisphere_pdf(d))
-        }
-        _ => {
-            let d = hemisphere::cosine_hemisphere_polar(u);
-            spatial(d, hemisphere::cosine_hemisphere_polar_pdf(d))
-        }
-    }
-}
-
-/// The same in the native profile, with this CPU's functions.
-#[must_use]
-pub fn native(which: &Map, u: UVec2) -> [f32; 4] {
-    let disk_pdf = std::f32::consts::FRAC_1_PI;
-    match which.id {
-        map::CONCENTRIC_DISK => planar(native_disk::native_concentric_disk(u), disk_pdf),
-        map::POLAR_DISK => planar(native_disk::native_polar_disk(u), disk_pdf),
-        map::UNIFORM_HEMISPHERE => {
-            let d = native_hemisphere::native_uniform_hemisphere(u);
-            spatial(d, native_hemisphere::native_uniform_hemisphere_pdf(d))
-        }
-        map::COSINE_HEMISPHERE => {
-            let d = native_hemisphere::native_cosine_hemisphere(u);
-            spatial(d, native_hemisphere::native_cosine_hemisphere_pdf(d))
-        }
-        _ => {
-            let d = native_hemisphere::native_cosine_hemisphere_polar(u);
-            spatial(d, native_hemisphere::native_cosine_hemisphere_polar_pdf(d))
-        }
-    }
-}
-
-fn planar(p: Vec2, pdf: f32) -> [f32; 4] {
-    [p.x, p.y, pdf, 0.0]
-}
-
-fn spatial(d: Vec3, pdf: f32) -> [f32; 4] {
-    [d.x, d.y, d.z, pdf]
 }

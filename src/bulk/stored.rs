@@ -1,10 +1,9 @@
 //! Points that are there already, as an engine.
 
-use super::{exact, native};
+use super::map_sample;
 use crate::Result;
-use crate::catalog::{Engine, Map, Output, Profile};
+use crate::catalog::{Engine, Mapping, Output, Profile};
 use crate::reference::unit::unit_floor;
-use glam::uvec2;
 
 /// Serves points of two dimensions from memory, as fractions, as floats or through a map.
 #[derive(Clone, Debug)]
@@ -14,7 +13,7 @@ pub struct Stored {
     /// What words to make, where there is no map.
     pub output: Output,
     /// The map, if any.
-    pub map: Option<&'static Map>,
+    pub map: Option<Mapping>,
     /// Whether the pdf follows the coordinates.
     pub with_pdf: bool,
     /// Whose functions the map uses; the native ones are this CPU's.
@@ -28,21 +27,15 @@ impl Stored {
     /// Words of a result row.
     #[must_use]
     pub fn words_per_point(&self) -> u32 {
-        match self.map {
-            Some(map) => map.coordinates + u32::from(self.with_pdf),
+        match &self.map {
+            Some(mapping) => mapping.map().coordinates + u32::from(self.with_pdf),
             None => 2,
         }
     }
 
     fn row(&self, [x, y]: [u32; 2]) -> [u32; 4] {
-        match (self.map, self.output) {
-            (Some(map), _) => {
-                let sample = match self.profile {
-                    Profile::Exact => exact(map, uvec2(x, y)),
-                    Profile::Native => native(map, uvec2(x, y)),
-                };
-                sample.map(f32::to_bits)
-            }
+        match (&self.map, self.output) {
+            (Some(mapping), _) => map_sample(mapping, self.profile, [x, y, 0]),
             (None, Output::Fractions) => [x, y, 0, 0],
             (None, Output::Floats) => [unit_floor(x).to_bits(), unit_floor(y).to_bits(), 0, 0],
         }

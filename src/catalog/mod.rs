@@ -3,14 +3,14 @@
 mod columns;
 mod functions;
 mod guide;
-mod map;
+mod maps;
 mod request;
 mod scramble;
 mod sequence;
 
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use guide::Guide;
-pub use map::{MAPS, Map};
+pub use maps::{Group, Map, Mapping, Parameter, maps};
 pub use request::{Engine, Options, Output, Request, check_map};
 pub use scramble::{Order, SCRAMBLES, Scramble};
 pub use sequence::{SEQUENCES, Sequence};

@@ -1,7 +1,7 @@
 //! A validated description of points to make.
 
 use super::columns::{self, Made};
-use super::{Map, Order, Profile, Scramble, Sequence};
+use super::{Mapping, Order, Profile, Scramble, Sequence};
 use crate::interface::Column;
 use crate::{Error, Result};
 
@@ -40,7 +40,7 @@ pub struct Options {
     /// Fractions of 2^32 as `u32` in place of floats.
     pub fractions: bool,
     /// A map to apply to each point.
-    pub map: Option<&'static Map>,
+    pub map: Option<Mapping>,
     /// Append the map's pdf.
     pub with_pdf: bool,
     /// Whose functions the map uses.
@@ -86,17 +86,17 @@ pub enum Output {
 /// # Errors
 /// A refusal that says what was asked, what the limit is and what to do.
 pub fn check_map(
-    map: Option<&Map>,
+    map: Option<&Mapping>,
     dimensions: u32,
     fractions: bool,
     with_pdf: bool,
 ) -> Result<()> {
-    if let Some(map) = map
-        && dimensions != Map::DIMENSIONS
+    if let Some(map) = map.map(Mapping::map)
+        && dimensions != map.dimensions
     {
         return Err(Error::MapDimensions {
             map: map.name,
-            needed: Map::DIMENSIONS,
+            needed: map.dimensions,
             given: dimensions,
         });
     }
@@ -139,7 +139,7 @@ pub struct Request {
     /// What the words are.
     pub output: Output,
     /// The map, if any.
-    pub map: Option<&'static Map>,
+    pub map: Option<Mapping>,
     /// Whether the pdf follows the coordinates.
     pub with_pdf: bool,
     /// Whose functions the map uses.
@@ -183,7 +183,7 @@ impl Request {
             warnings,
         } = columns::make(options)?;
         check_map(
-            options.map,
+            options.map.as_ref(),
             columns.len() as u32,
             options.fractions,
             options.with_pdf,
@@ -201,7 +201,7 @@ impl Request {
             } else {
                 Output::Floats
             },
-            map: options.map,
+            map: options.map.clone(),
             with_pdf: options.with_pdf,
             profile: options.profile,
         })
@@ -210,8 +210,8 @@ impl Request {
     /// Words of a result row.
     #[must_use]
     pub fn words_per_point(&self) -> u32 {
-        match self.map {
-            Some(map) => map.coordinates + u32::from(self.with_pdf),
+        match &self.map {
+            Some(mapping) => mapping.map().coordinates + u32::from(self.with_pdf),
             None => self.columns.len() as u32,
         }
     }

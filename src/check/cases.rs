@@ -1,8 +1,9 @@
 //! What the kernels that make points are asked for.
 
+use super::maps::examples;
 use super::points::{Case, case};
 use crate::Result;
-use crate::catalog::{MAPS, Options, Order, Scramble, Sequence};
+use crate::catalog::{Map, Mapping, Options, Order, Scramble, Sequence, maps};
 
 /// Options of a case, by the name of its row.
 type Change<'a> = (String, Box<dyn Fn(&mut Options) + 'a>);
@@ -25,18 +26,7 @@ pub fn cases() -> Result<Vec<Case>> {
         }
     }
     wide(&mut cases)?;
-    for map in MAPS {
-        for with_pdf in [false, true] {
-            let pdf = if with_pdf { " pdf" } else { "" };
-            for kernel in ["fused", "map"] {
-                let name = format!("halton {}{pdf}", map.name);
-                cases.push(case(name, kernel, |o| {
-                    o.map = Some(map);
-                    o.with_pdf = with_pdf;
-                })?);
-            }
-        }
-    }
+    mapped(&mut cases)?;
     fused(&mut cases)?;
     Ok(cases)
 }
@@ -71,6 +61,25 @@ fn wide(cases: &mut Vec<Case>) -> Result<()> {
     Ok(())
 }
 
+/// Every map with its first parameters, as `generate` makes its samples.
+fn mapped(cases: &mut Vec<Case>) -> Result<()> {
+    for map in maps() {
+        let Some(mapping) = examples(map)?.into_iter().next() else {
+            continue;
+        };
+        let kernel = if map.group.fused() { "fused" } else { "map" };
+        for with_pdf in [false, true] {
+            let pdf = if with_pdf { " pdf" } else { "" };
+            cases.push(case(format!("halton {}{pdf}", map.name), kernel, |o| {
+                o.dimensions = Some(map.dimensions.into());
+                o.map = Some(mapping.clone());
+                o.with_pdf = with_pdf;
+            })?);
+        }
+    }
+    Ok(())
+}
+
 /// One map over points of every family.
 fn fused(cases: &mut Vec<Case>) -> Result<()> {
     let list = [
@@ -91,9 +100,10 @@ fn fused(cases: &mut Vec<Case>) -> Result<()> {
         change("halton owen", |o| o.scramble = Some(Scramble::Owen)),
         change("r2", |o| o.sequence = Sequence::R2),
     ];
+    let cosine = Mapping::new(Map::from_name("cosine-hemisphere")?, &[])?;
     for (name, change) in list {
         cases.push(case(format!("{name} cosine-hemisphere"), "fused", |o| {
-            o.map = MAPS.first();
+            o.map = Some(cosine.clone());
             o.seed = Some(5);
             change(o);
         })?);

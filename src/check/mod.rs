@@ -10,24 +10,27 @@ mod domain;
 mod functions;
 mod inputs;
 mod irradiance;
+mod maps;
 mod native;
 mod native_points;
 mod net;
 mod pairs;
 mod points;
 mod random;
+mod real;
 mod rows;
 mod strata;
 
 pub use blue_noise::compare_mask;
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};
+pub use maps::{compare_map, examples, fractions, judge_native, truth};
 pub use native::{NATIVE, NativeRow, compare_native};
 pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
 pub use rows::{Row, Verdict};
 
-use crate::catalog::{FUNCTIONS, Tier};
+use crate::catalog::{FUNCTIONS, Profile, Tier};
 use crate::interface::KERNELS;
 use crate::kernels::probe;
 use crate::vulkan::{Device, Probe};
@@ -113,6 +116,11 @@ pub fn run(
     for case in cases::cases()? {
         if wanted(&[&case.name, case.kernel]) {
             add(points::check(device, &case)?);
+        }
+    }
+    for map in crate::catalog::maps() {
+        if wanted(&[map.name, map.group.kernel(Profile::Exact)]) {
+            maps::check(device, map)?.into_iter().for_each(&mut add);
         }
     }
     if wanted(&["irradiance", "envmap_texel", "envmap"]) {

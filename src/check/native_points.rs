@@ -1,32 +1,33 @@
 //! Kernels of the native profile that make samples of a map: judged, not compared.
 
+use super::maps::{examples, truth};
 use super::points::{Case, Maker, case, points, starts};
 use super::rows::{Row, Verdict};
 use crate::Result;
-use crate::catalog::{MAPS, Profile, Request};
-use crate::interface::map;
+use crate::catalog::{Profile, Request, maps};
 use crate::judge;
 use crate::vulkan::Device;
 use std::sync::Arc;
 
-/// Maps with their pdf in the native profile, by both kernels that have one.
+/// Maps with their pdf in the native profile, in the kernel of their points.
 ///
 /// # Errors
 /// None that these requests could cause.
 pub fn native_cases() -> Result<Vec<Case>> {
     let mut cases = Vec::new();
-    for map in MAPS {
-        for kernel in ["fused", "map"] {
-            cases.push(case(
-                format!("native halton {} pdf", map.name),
-                kernel,
-                |o| {
-                    o.map = Some(map);
-                    o.with_pdf = true;
-                    o.profile = Profile::Native;
-                },
-            )?);
-        }
+    for map in maps().filter(|map| map.group.fused()) {
+        let Some(mapping) = examples(map)?.into_iter().next() else {
+            continue;
+        };
+        cases.push(case(
+            format!("native halton {} pdf", map.name),
+            "fused",
+            |o| {
+                o.map = Some(mapping.clone());
+                o.with_pdf = true;
+                o.profile = Profile::Native;
+            },
+        )?);
     }
     Ok(cases)
 }
@@ -67,20 +68,13 @@ pub fn check_native(device: &Arc<Device>, case: &Case, bound: f64) -> Result<Row
 
 /// The largest absolute error of coordinates and pdf.
 fn native_error(request: &Request, u: [u32; 2], words: &[u32]) -> f64 {
-    let over_pi = std::f64::consts::FRAC_1_PI;
-    let planar = |p: [f64; 2]| vec![p[0], p[1], over_pi];
-    let spatial = |d: [f64; 3], pdf: f64| vec![d[0], d[1], d[2], pdf];
-    let lambert = |d: [f64; 3]| spatial(d, d[2] * over_pi);
-    let truth = match request.map.map(|map| map.id) {
-        Some(map::CONCENTRIC_DISK) => planar(judge::concentric_disk(u)),
-        Some(map::POLAR_DISK) => planar(judge::polar_disk(u)),
-        Some(map::UNIFORM_HEMISPHERE) => spatial(judge::uniform_hemisphere(u), 0.5 * over_pi),
-        Some(map::COSINE_HEMISPHERE) => lambert(judge::cosine_hemisphere(u)),
-        _ => lambert(judge::cosine_hemisphere_polar(u)),
-    };
+    let truth = request
+        .map
+        .as_ref()
+        .and_then(|mapping| truth(mapping, [u[0], u[1], 0]));
     words
         .iter()
-        .zip(truth)
+        .zip(truth.unwrap_or([f64::NAN; 4]))
         .map(|(&word, t)| (f64::from(f32::from_bits(word)) - t).abs())
         .fold(0.0, |a: f64, b| if a.is_nan() || a > b { a } else { b })
 }

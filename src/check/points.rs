@@ -3,9 +3,9 @@
 use super::rows::Row;
 use crate::Result;
 use crate::bulk::Reference;
-use crate::catalog::{Engine, Options, Output, Request, Sequence};
+use crate::catalog::{Engine, Options, Request, Sequence};
 use crate::interface::{Column, Family};
-use crate::kernels::{Generator, Mapper};
+use crate::kernels::Generator;
 use crate::vulkan::Device;
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub struct Case {
     /// What the row is called.
     pub name: String,
-    /// `generate`, `tile`, `fused` or `map`.
+    /// `generate`, `tile`, `fused`, or `map` for a map in a kernel of its own.
     pub kernel: &'static str,
     /// The points, all of the sequence where it has no end of its own.
     pub request: Request,
@@ -93,43 +93,24 @@ pub fn compare_points(
     Ok(row.judged())
 }
 
-/// The kernels of a case: one generator, and a map over its fractions.
-pub(super) struct Maker {
-    generator: Generator,
-    mapper: Option<Mapper>,
-}
+/// The kernels of a case.
+pub(super) struct Maker(Generator);
 
 impl Maker {
     pub(super) fn new(device: &Arc<Device>, case: &Case) -> Result<Self> {
         let request = &case.request;
-        let mut mapper = None;
-        let generator = match (case.kernel, request.map) {
-            ("generate", _) => Generator::general(device, request)?,
-            ("map", Some(map)) => {
-                mapper = Some(Mapper::new(device, map, request.with_pdf, request.profile)?);
-                let mut points = request.clone();
-                points.map = None;
-                points.with_pdf = false;
-                points.output = Output::Fractions;
-                Generator::new(device, &points)?
-            }
+        Ok(Self(match case.kernel {
+            "generate" => Generator::general(device, request)?,
             _ => Generator::new(device, request)?,
-        };
-        Ok(Self { generator, mapper })
+        }))
     }
 
     pub(super) fn words(&mut self, start: u64, points: u64) -> Result<Vec<u32>> {
         let mut words = Vec::new();
-        self.generator.make(start, points, &mut |part| {
+        self.0.make(start, points, &mut |part| {
             words.extend_from_slice(part);
             Ok(())
         })?;
-        match &self.mapper {
-            None => Ok(words),
-            Some(mapper) => {
-                let pairs: Vec<[u32; 2]> = words.chunks_exact(2).map(|p| [p[0], p[1]]).collect();
-                Ok(mapper.run(&pairs)?.0)
-            }
-        }
+        Ok(words)
     }
 }

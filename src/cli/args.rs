@@ -30,6 +30,8 @@ pub enum Command {
     Devices(DevicesArgs),
     /// Make points, or samples of a map over them, and write them to a file.
     Generate(Box<GenerateArgs>),
+    /// List the maps: parameters, dimensions, pdf and its measure, errors.
+    Maps(MapsArgs),
     /// Compare every kernel and function with the CPU reference on a device.
     Check(CheckArgs),
     /// Say how good a set of points in [0, 1)^d is.
@@ -107,6 +109,9 @@ pub struct GenerateArgs {
     #[arg(help = guide::maps())]
     #[arg(long)]
     pub map: Option<String>,
+    /// A parameter of the map, as alpha=0.1 or wo=0.8,0,0.6; `corput maps` lists them.
+    #[arg(long, value_name = "NAME=X[,X...]", value_parser = param, allow_hyphen_values = true)]
+    pub param: Vec<Param>,
     /// Append the map's pdf as the last column.
     #[arg(long)]
     pub with_pdf: bool,
@@ -122,6 +127,15 @@ pub struct GenerateArgs {
     /// The file; - is standard output.
     #[arg(long)]
     pub out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub struct MapsArgs {
+    /// Only this one.
+    pub name: Option<String>,
+    /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Debug, Args)]
@@ -256,6 +270,31 @@ fn grid(text: &str) -> Result<Grid, String> {
         Some(cells) if !cells.contains(&0) => Ok(Grid(cells)),
         _ => Err(format!("`{text}` is no grid; {limit}")),
     }
+}
+
+/// A parameter of a map.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// Its name.
+    pub name: String,
+    /// Its numbers.
+    pub numbers: Vec<f64>,
+}
+
+fn param(text: &str) -> Result<Param, String> {
+    let (name, list) = text
+        .split_once('=')
+        .ok_or_else(|| format!("`{text}` has no value; write NAME=X or NAME=X,Y,Z"))?;
+    let number = |part: &str| {
+        let value = part.parse().ok().filter(|value: &f64| value.is_finite());
+        value.ok_or_else(|| {
+            format!("`{part}` is no finite number; write {name}=0.5 or {name}=1,0,0")
+        })
+    };
+    Ok(Param {
+        name: name.to_owned(),
+        numbers: list.split(',').map(number).collect::<Result<_, _>>()?,
+    })
 }
 
 /// A whole number from 0 to 2^64 - 1, with a message that says so.

@@ -1,9 +1,9 @@
 //! `corput generate`.
 
 use super::args::GenerateArgs;
-use super::{guide, host, interrupt, mask, points, progress};
+use super::{guide, host, interrupt, maps, mask, points, progress};
 use corput::bulk::Reference;
-use corput::catalog::{Engine, Map, Options, Order, Output, Profile, Request, Scramble, Sequence};
+use corput::catalog::{Engine, Options, Order, Output, Profile, Request, Scramble, Sequence};
 use corput::kernels::Generator;
 use corput::report::{Element, Format, Layout, Sink, Target};
 use corput::vulkan::Device;
@@ -95,7 +95,7 @@ fn request(args: &GenerateArgs) -> Result<Request> {
         grid: args.grid.as_ref().map(|grid| grid.0.clone()),
         generator: args.generator,
         fractions: args.fractions,
-        map: args.map.as_deref().map(Map::from_name).transpose()?,
+        map: maps::mapping(args)?,
         with_pdf: args.with_pdf,
         profile: Profile::from_name(&args.profile)?,
     })
@@ -150,6 +150,7 @@ pub fn arguments(args: &GenerateArgs, scramble: Scramble, device: Option<&Arc<De
         "generator": args.generator,
         "fractions": args.fractions,
         "map": args.map,
+        "param": args.param.iter().map(|p| (p.name.clone(), json!(p.numbers))).collect::<serde_json::Map<_, _>>(),
         "with_pdf": args.with_pdf,
         "profile": args.profile,
         "device": device.map_or_else(|| "cpu".to_owned(), |device| host::line(device.info())),

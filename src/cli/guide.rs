@@ -1,7 +1,7 @@
 //! What `generate --help` says of sequences, scrambles and maps, from the catalogue.
 
 use super::{mask, points};
-use corput::catalog::{Guide, MAPS, SCRAMBLES, SEQUENCES, Scramble, Sequence};
+use corput::catalog::{Guide, SCRAMBLES, SEQUENCES, Scramble, Sequence, maps as all_maps};
 
 /// Names in a row.
 fn names<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
@@ -55,8 +55,8 @@ pub fn scrambles() -> String {
 
 /// Help for `--map`.
 pub fn maps() -> String {
-    let names = names(MAPS.iter().map(|map| map.name));
-    format!("Map each point of two dimensions: {names}. +z is the normal")
+    let names = names(all_maps().map(|map| map.name));
+    format!("Map each point: {names}. +z is the normal; `corput maps` says more")
 }
 
 /// Below the options: everything by name.
@@ -86,8 +86,9 @@ pub fn generate() -> String {
     let scrambles = SCRAMBLES.iter();
     lines.extend(scrambles.map(|s| format!("  {:<10} {}", s.name(), s.summary())));
     lines.push("\nMaps:".to_owned());
-    let maps = MAPS.iter();
-    lines.extend(maps.map(|map| format!("  {:<24} {}; pdf {}", map.name, map.summary, map.pdf)));
+    lines.extend(
+        all_maps().map(|map| format!("  {:<24} {}; pdf {}", map.name, map.summary, map.pdf)),
+    );
     lines.push("\nExamples:".to_owned());
     lines.extend(EXAMPLES.map(|example| format!("  corput generate {example}")));
     lines.join("\n")

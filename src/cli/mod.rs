@@ -10,6 +10,7 @@ mod guide;
 mod headers;
 mod host;
 mod interrupt;
+mod maps;
 mod mask;
 mod measure;
 mod plot;
@@ -31,6 +32,7 @@ pub fn main() -> ExitCode {
     let result = match &cli.command {
         Command::Devices(args) => devices::run(args),
         Command::Generate(args) => generate::run(args),
+        Command::Maps(args) => maps::run(args),
         Command::Check(args) => check::run(args),
         Command::Measure(args) => measure::run(args),
         Command::Headers(args) => headers::run(args),

@@ -2,10 +2,10 @@
 
 use super::args::GenerateArgs;
 use super::generate::{arguments, count, output, stream};
-use super::{host, interrupt, mask};
+use super::{host, interrupt, maps, mask};
 use corput::blue_noise::{blue_noise_points, check_count};
 use corput::bulk::Stored;
-use corput::catalog::{Guide, Map, Output, Profile, Scramble, check_map};
+use corput::catalog::{Guide, Output, Profile, Scramble, check_map};
 use corput::report::{Element, Layout, Sink};
 use corput::{Error, Result};
 
@@ -26,8 +26,13 @@ const DIMENSIONS: u64 = 2;
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     mask::refuse(args)?;
     refuse(args)?;
-    let map = args.map.as_deref().map(Map::from_name).transpose()?;
-    check_map(map, DIMENSIONS as u32, args.fractions, args.with_pdf)?;
+    let map = maps::mapping(args)?;
+    check_map(
+        map.as_ref(),
+        DIMENSIONS as u32,
+        args.fractions,
+        args.with_pdf,
+    )?;
     let profile = profile(args)?;
     let (target, format) = output(args)?;
     let words = match args.fractions {

@@ -6,7 +6,7 @@ pub use irradiance::{Estimate, estimates};
 
 use crate::Result;
 use crate::bulk::Reference;
-use crate::catalog::{Engine, Map, Options, Request, Sequence};
+use crate::catalog::{Engine, Map, Mapping, Options, Request, Sequence};
 use crate::image::Image;
 use crate::kernels::Generator;
 use crate::plot::{LinesStyle, ScatterStyle, Series, error_lines, points_and_directions, to_png};
@@ -94,7 +94,7 @@ pub fn run(
         sink.write(words)
     })?;
     let mut options = Options::new(Sequence::Halton, POINTS);
-    options.map = Some(Map::from_name("cosine-hemisphere")?);
+    options.map = Some(Mapping::new(Map::from_name("cosine-hemisphere")?, &[])?);
     let directions = Request::new(&options)?;
     let compared_directions = compare(
         device,

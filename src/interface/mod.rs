@@ -72,6 +72,93 @@ push_constants! {
 }
 
 push_constants! {
+    /// Arguments of the kernels that map points in memory.
+    MapPush {
+        /// Invocations that have work, four points each.
+        invocations,
+        /// Parameters of the map: bits of floats.
+        p0,
+        /// The second.
+        p1,
+        /// The third.
+        p2,
+        /// The fourth.
+        p3,
+        /// The fifth.
+        p4,
+        /// The sixth.
+        p5,
+        /// The seventh.
+        p6,
+        /// The eighth.
+        p7,
+        /// The ninth.
+        p8,
+        /// The tenth.
+        p9,
+        /// The eleventh.
+        p10,
+        /// The twelfth.
+        p11,
+        /// The thirteenth.
+        p12,
+        /// The fourteenth.
+        p13,
+        /// The fifteenth.
+        p14,
+        /// The sixteenth.
+        p15,
+    }
+}
+
+/// Parameters of a map: bits of floats.
+pub const MAP_PARAMETERS: usize = 16;
+
+impl MapPush {
+    /// The block for so many invocations of a map with these parameters.
+    #[must_use]
+    pub fn new(invocations: u32, parameters: &[u32; MAP_PARAMETERS]) -> Self {
+        let [
+            p0,
+            p1,
+            p2,
+            p3,
+            p4,
+            p5,
+            p6,
+            p7,
+            p8,
+            p9,
+            p10,
+            p11,
+            p12,
+            p13,
+            p14,
+            p15,
+        ] = *parameters;
+        Self {
+            invocations,
+            p0,
+            p1,
+            p2,
+            p3,
+            p4,
+            p5,
+            p6,
+            p7,
+            p8,
+            p9,
+            p10,
+            p11,
+            p12,
+            p13,
+            p14,
+            p15,
+        }
+    }
+}
+
+push_constants! {
     /// Arguments of the irradiance kernel.
     IrradiancePush {
         /// Index of the first point.
@@ -287,7 +374,17 @@ pub mod output {
     pub const FLOATS: u32 = 1;
 }
 
-/// Values of the constant `MAP`.
+/// Values of the constant `TASK`: what a map kernel does with its input.
+pub mod task {
+    /// Fractions to samples and their pdf.
+    pub const SAMPLE: u32 = 0;
+    /// Samples to their pdf.
+    pub const PDF: u32 = 1;
+    /// Samples to the fractions that give them.
+    pub const INVERT: u32 = 2;
+}
+
+/// Values of the constant `MAP`, by group of maps.
 pub mod map {
     /// Unit disk, concentric.
     pub const CONCENTRIC_DISK: u32 = 0;

@@ -8,7 +8,9 @@ mod digits;
 mod functions;
 mod maps;
 pub mod random;
+pub mod spherical;
 mod strata;
+mod transcendental;
 
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
 pub use functions::{
@@ -19,6 +21,7 @@ pub use maps::{
     uniform_hemisphere,
 };
 pub use strata::{additive, cmj, korobov, stratum};
+pub use transcendental::{log, log2, negative_log};
 
 /// The distance from `truth` to `got` in units of the last place of the float nearest
 /// to `truth`; zero counts the smallest normal float as its unit.

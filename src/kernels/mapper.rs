@@ -1,74 +1,129 @@
-//! Samples of a map over points that lie in memory.
+//! A map over what lies in memory: fractions to samples, samples to their pdf or back to
+//! fractions.
 
+use super::points::table;
 use super::{constant, groups, kernel, pipeline, spirv};
 use crate::Result;
-use crate::catalog::{Map, Profile};
-use crate::interface::WorkPush;
-use crate::vulkan::{Access, Buffer, Device, Timing};
+use crate::catalog::{Mapping, Profile};
+use crate::interface::{Kernel, MapPush, task};
+use crate::vulkan::{Access, Buffer, Device, Pipeline, Timing};
 use std::sync::Arc;
 
-/// Applies a map to points of two fractions each.
+/// Does one task of a map.
 pub struct Mapper {
-    pipeline: crate::vulkan::Pipeline,
-    name: &'static str,
-    width: u32,
+    pipeline: Pipeline,
+    kernel: &'static Kernel,
+    parameters: [u32; 16],
+    tables: Vec<Buffer>,
+    /// Words of an input and of a result.
+    widths: [u64; 2],
     device: Arc<Device>,
 }
 
 impl Mapper {
-    /// Compiles the pipeline.
+    /// Compiles the pipeline; `task` is of [`task`].
     ///
     /// # Errors
     /// Those of the device.
-    pub fn new(device: &Arc<Device>, map: &Map, with_pdf: bool, profile: Profile) -> Result<Self> {
-        let name = match profile {
-            Profile::Exact => "map",
-            Profile::Native => "map_native",
-        };
-        let row = kernel(name)?;
+    pub fn new(
+        device: &Arc<Device>,
+        mapping: &Mapping,
+        with_pdf: bool,
+        profile: Profile,
+        task: u32,
+    ) -> Result<Self> {
+        let words = spirv(mapping.map().group.kernel(profile))?;
+        Self::with_module(device, mapping, with_pdf, profile, task, &words)
+    }
+
+    /// The same with other SPIR-V of the same interface: how tests run broken kernels.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn with_module(
+        device: &Arc<Device>,
+        mapping: &Mapping,
+        with_pdf: bool,
+        profile: Profile,
+        task: u32,
+        words: &[u32],
+    ) -> Result<Self> {
+        let map = mapping.map();
+        let kernel = kernel(map.group.kernel(profile))?;
         let constants: Vec<(u32, u32)> = [
-            constant(row, "MAP", map.id),
-            constant(row, "WITH_PDF", u32::from(with_pdf)),
+            constant(kernel, "MAP", map.id),
+            constant(kernel, "WITH_PDF", u32::from(with_pdf)),
+            constant(kernel, "DIMENSIONS", map.dimensions),
+            constant(kernel, "COORDINATES", map.coordinates),
+            constant(kernel, "TASK", task),
         ]
         .into_iter()
         .flatten()
         .collect();
+        let tables = mapping.tables().iter().map(|words| table(device, words));
         Ok(Self {
-            pipeline: pipeline(device, row, &spirv(name)?, &constants)?,
-            name,
-            width: map.coordinates + u32::from(with_pdf),
+            pipeline: pipeline(device, kernel, words, &constants)?,
+            kernel,
+            parameters: mapping.words(),
+            tables: tables.collect::<Result<_>>()?,
+            widths: match task {
+                task::SAMPLE => [map.dimensions, map.coordinates + u32::from(with_pdf)],
+                task::PDF => [4, 1],
+                _ => [4, 4],
+            }
+            .map(u64::from),
             device: Arc::clone(device),
         })
     }
 
-    /// Maps points, given as pairs of fractions, to rows of coordinates and pdf, as
-    /// float bits; at most 2^22 points at a time.
+    /// Gives the same kernel the parameters and tables of another mapping of its map, which
+    /// costs no compilation.
     ///
     /// # Errors
     /// Those of the device.
-    pub fn run(&self, points: &[[u32; 2]]) -> Result<(Vec<u32>, Timing)> {
-        let row = kernel(self.name)?;
-        let invocations = points.len().div_ceil(4) as u32;
-        let mut input = Buffer::new(&self.device, u64::from(invocations) * 32, Access::Upload)?;
-        input.write(0, bytemuck::cast_slice(points))?;
-        let mut results = Buffer::new(
-            &self.device,
-            u64::from(invocations) * 16 * u64::from(self.width),
-            Access::Readback,
-        )?;
-        let push = WorkPush {
-            first: 0,
-            invocations,
-            stride: 1,
-        };
-        let timing = self.device.run(
+    pub fn set(&mut self, mapping: &Mapping) -> Result<()> {
+        self.parameters = mapping.words();
+        let tables = mapping
+            .tables()
+            .iter()
+            .map(|words| table(&self.device, words));
+        self.tables = tables.collect::<Result<_>>()?;
+        Ok(())
+    }
+
+    /// Maps the first `count` inputs of a buffer, which must hold four times as many as
+    /// there are invocations, rounded up, into another.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn dispatch(&self, input: &Buffer, results: &Buffer, count: u64) -> Result<Timing> {
+        let invocations = count.div_ceil(4) as u32;
+        let mut buffers = vec![(0, results), (1, input)];
+        buffers.extend((2..).zip(&self.tables));
+        let push = MapPush::new(invocations, &self.parameters);
+        self.device.run(
             &self.pipeline,
-            &[(0, &results), (1, &input)],
+            &buffers,
             &push.bytes(),
-            groups(row, invocations),
-        )?;
-        let bytes = points.len() as u64 * 4 * u64::from(self.width);
-        let words = results.read(0, bytes, bytemuck::pod_collect_to_vec)?;
+            groups(self.kernel, invocations),
+        )
+    }
+
+    /// Rows of results for rows of input words: of the map's dimensions for samples, and
+    /// four words, of which the first are coordinates, otherwise. At most 2^22 at a time.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn run(&self, rows: &[u32]) -> Result<(Vec<u32>, Timing)> {
+        let count = rows.len() as u64 / self.widths[0];
+        let whole = count.next_multiple_of(4);
+        let mut input = Buffer::new(&self.device, 4 * whole * self.widths[0], Access::Upload)?;
+        input.write(0, bytemuck::cast_slice(rows))?;
+        let bytes = 4 * whole * self.widths[1];
+        let mut results = Buffer::new(&self.device, bytes, Access::Readback)?;
+        let timing = self.dispatch(&input, &results, count)?;
+        let made = 4 * count * self.widths[1];
+        let words = results.read(0, made, bytemuck::pod_collect_to_vec)?;
         Ok((words, timing))
     }
 }

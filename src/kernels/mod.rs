@@ -5,6 +5,7 @@ mod generator;
 mod irradiance;
 mod mapper;
 mod pairs;
+mod points;
 mod void_and_cluster;
 
 pub use evaluator::Evaluator;

@@ -6,4 +6,4 @@ mod plan;
 
 pub use bases::{odometer_base, radical_base};
 pub use columns::column_words;
-pub use plan::{Plan, Work, general, plan};
+pub use plan::{FusedMap, Plan, Work, general, plan};

@@ -12,12 +12,24 @@ pub struct Work<'a> {
     pub points: u64,
     /// Fractions instead of floats.
     pub fractions: bool,
-    /// Value of `MAP`, and whether the pdf is wanted; the points are then two columns.
-    pub map: Option<(u32, bool)>,
+    /// A map that the kernels of points know, and whether its pdf is wanted; the points
+    /// are then two columns.
+    pub map: Option<FusedMap>,
     /// The native profile.
     pub native: bool,
     /// The device is a CPU, which likes long runs of wide stores per invocation.
     pub cpu: bool,
+}
+
+/// A map in the kernel that makes its points.
+#[derive(Clone, Copy, Debug)]
+pub struct FusedMap {
+    /// Value of `MAP`.
+    pub id: u32,
+    /// Coordinates of a sample.
+    pub coordinates: u32,
+    /// Whether the pdf follows them.
+    pub with_pdf: bool,
 }
 
 /// The kernel for a job.
@@ -46,11 +58,12 @@ const LARGE: u64 = 1 << 21;
 #[must_use]
 pub fn plan(work: &Work) -> Plan {
     let words = work.points * work.columns.len() as u64;
-    if let Some((map, with_pdf)) = work.map {
+    if let Some(map) = work.map {
         let name = if work.native { "fused_native" } else { "fused" };
         let mut plan = tiled(name, work);
-        plan.set("MAP", map);
-        plan.set("WITH_PDF", u32::from(with_pdf));
+        plan.set("MAP", map.id);
+        plan.set("COORDINATES", map.coordinates);
+        plan.set("WITH_PDF", u32::from(map.with_pdf));
         return plan;
     }
     let output = if work.fractions {

@@ -1,7 +1,8 @@
 //! Specialization constants and buffers that the kernels share.
 
 use super::super::{
-    Binding, Constant, Element, Member, PushConstants, WorkPush, map, output, pair_kind,
+    Binding, Constant, Element, MapPush, Member, PushConstants, WorkPush, map, output, pair_kind,
+    task,
 };
 
 pub(super) const OUTPUT: Constant = Constant {
@@ -66,6 +67,19 @@ pub(super) const TOROIDAL: Constant = Constant {
     default: 1,
 };
 
+/// What a map kernel does.
+pub(super) const TASK: Constant = Constant {
+    id: 11,
+    name: "TASK",
+    default: task::SAMPLE,
+};
+/// Coordinates of a map's sample.
+pub(super) const COORDINATES: Constant = Constant {
+    id: 12,
+    name: "COORDINATES",
+    default: 3,
+};
+
 pub(super) const RESULTS: Binding = Binding {
     binding: 0,
     name: "results",
@@ -81,7 +95,7 @@ pub(super) const COLUMNS: Binding = Binding {
 pub(super) const POINTS: Binding = Binding {
     binding: 1,
     name: "points",
-    element: Element::Uvec4,
+    element: Element::Uint,
     input: true,
 };
 pub(super) const ARGUMENTS: Binding = Binding {
@@ -92,3 +106,5 @@ pub(super) const ARGUMENTS: Binding = Binding {
 };
 
 pub(super) const WORK: &[Member] = WorkPush::MEMBERS;
+
+pub(super) const MAP_ARGUMENTS: &[Member] = MapPush::MEMBERS;

@@ -8,22 +8,28 @@ use super::{
     PushConstants,
 };
 use constants::{
-    ARGUMENTS, FUNCTION, INDEXED, KIND, MAP, POINTS, RESULTS, TOROIDAL, WITH_PDF, WORK,
+    ARGUMENTS, COORDINATES, DIMENSIONS, FUNCTION, INDEXED, KIND, MAP, MAP_ARGUMENTS, POINTS,
+    RESULTS, TASK, TOROIDAL, WITH_PDF, WORK,
 };
 use points::{POINT_KERNELS, POINTS_OF, points};
-const fn map_kernel(
+/// A group of maps; its tables, if it has any, follow the points.
+const fn maps(
     name: &'static str,
-    defines: &'static [(&'static str, &'static str)],
+    source: &'static str,
+    bindings: &'static [Binding],
     profile: Profile,
 ) -> Kernel {
     Kernel {
         name,
-        source: "map.comp",
-        defines,
+        source,
+        defines: match profile {
+            Profile::Native => &[("KERNEL_NATIVE", "1")],
+            _ => &[],
+        },
         local_size: 64,
-        push: WORK,
-        bindings: &[RESULTS, POINTS],
-        constants: &[MAP, WITH_PDF],
+        push: MAP_ARGUMENTS,
+        bindings,
+        constants: &[MAP, WITH_PDF, DIMENSIONS, TASK, COORDINATES],
         columns: None,
         profile,
     }
@@ -72,8 +78,6 @@ const fn pairs(name: &'static str, source: &'static str, constants: &'static [Co
 
 /// The other kernels.
 const OTHERS: &[Kernel] = &[
-    map_kernel("map", &[], Profile::Integer),
-    map_kernel("map_native", &[("KERNEL_NATIVE", "1")], Profile::Native),
     Kernel {
         name: "irradiance",
         source: "irradiance.comp",
@@ -180,13 +184,28 @@ const EVALUATORS: &[Kernel] = &[
     evaluate("evaluate_net_portable", "evaluate_net.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_random", "evaluate_random.comp", &[], Profile::Integer),
     evaluate("evaluate_random_portable", "evaluate_random.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_real", "evaluate_real.comp", &[], Profile::Integer),
+    evaluate("evaluate_real_portable", "evaluate_real.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_strata", "evaluate_strata.comp", &[], Profile::Integer),
     evaluate("evaluate_strata_portable", "evaluate_strata.comp", PORTABLE, Profile::Integer),
 ];
 
+const MAPPED: &[Binding] = &[RESULTS, POINTS];
+
+/// The maps, by group, in both profiles.
+#[rustfmt::skip]
+const MAPPERS: &[Kernel] = &[
+    maps("map_hemisphere", "map_hemisphere.comp", MAPPED, Profile::Integer),
+    maps("map_hemisphere_native", "map_hemisphere.comp", MAPPED, Profile::Native),
+];
+
 const MADE: usize = POINT_KERNELS * FAMILIES.len();
 
-const COUNT: usize = MADE + EVALUATORS.len() + OTHERS.len();
+const EVALUATED: usize = MADE + EVALUATORS.len();
+
+const MAPS_END: usize = EVALUATED + MAPPERS.len();
+
+const COUNT: usize = MAPS_END + OTHERS.len();
 
 const ALL: [Kernel; COUNT] = {
     let mut all = [points(); COUNT];
@@ -194,10 +213,12 @@ const ALL: [Kernel; COUNT] = {
     while at < COUNT {
         all[at] = if at < MADE {
             POINTS_OF[at / POINT_KERNELS][at % POINT_KERNELS]
-        } else if at < MADE + EVALUATORS.len() {
+        } else if at < EVALUATED {
             EVALUATORS[at - MADE]
+        } else if at < MAPS_END {
+            MAPPERS[at - EVALUATED]
         } else {
-            OTHERS[at - MADE - EVALUATORS.len()]
+            OTHERS[at - MAPS_END]
         };
         at += 1;
     }

@@ -2,7 +2,7 @@
 
 use super::super::{FAMILIES, Family, Kernel, Profile};
 use super::constants::{
-    COLUMNS, DIMENSIONS, MAP, OUTPUT, PART, RESULTS, ROW, TILE, WITH_PDF, WORK,
+    COLUMNS, COORDINATES, DIMENSIONS, MAP, OUTPUT, PART, RESULTS, ROW, TILE, WITH_PDF, WORK,
 };
 
 /// The kernels of a family that make points: the general one, tiles of one to four
@@ -50,7 +50,7 @@ macro_rules! point_kernels {
                 name: concat!("fused", $suffix),
                 source: "fused.comp",
                 defines: &[("TILE_COLUMNS", "2")],
-                constants: &[MAP, WITH_PDF, TILE],
+                constants: &[MAP, WITH_PDF, TILE, COORDINATES],
                 columns: Some(($family, 2)),
                 ..points()
             },
@@ -58,7 +58,7 @@ macro_rules! point_kernels {
                 name: concat!("fused_native", $suffix),
                 source: "fused.comp",
                 defines: &[("TILE_COLUMNS", "2"), ("KERNEL_NATIVE", "1")],
-                constants: &[MAP, WITH_PDF, TILE],
+                constants: &[MAP, WITH_PDF, TILE, COORDINATES],
                 columns: Some(($family, 2)),
                 profile: Profile::Native,
                 ..points()

@@ -5,8 +5,7 @@ use super::parse::npy;
 use super::{Desk, skips};
 use corput::blue_noise::{MaskShape, blue_noise_points, void_and_cluster};
 use corput::bulk;
-use corput::catalog::Map;
-use corput::glam::uvec2;
+use corput::catalog::{Map, Mapping, Profile};
 use corput::reference::blue_noise::blue_noise_fraction;
 use corput::reference::unit::unit_floor;
 
@@ -102,10 +101,11 @@ fn points_are_fractions_floats_and_samples() {
     found.assert_is("<f4", 1024, 2);
     assert!((0..1024).all(|i| found.row(i) == points[i].map(|u| unit_floor(u).to_bits())));
     let map = Map::from_name("cosine-hemisphere").expect("a map");
+    let map = Mapping::new(map, &[]).expect("no parameters");
     let mapped = format!("{line} --map cosine-hemisphere --with-pdf");
     let found = npy(&desk.make(&mapped, "m.npy"));
     found.assert_is("<f4", 1024, 4);
-    let sample = |p: [u32; 2]| bulk::exact(map, uvec2(p[0], p[1])).map(f32::to_bits);
+    let sample = |p: [u32; 2]| bulk::map_sample(&map, Profile::Exact, [p[0], p[1], 0]);
     assert!((0..1024).all(|i| found.row(i) == sample(points[i])));
     let csv = desk.make(&format!("{line} --device cpu"), "p.csv");
     assert!(csv.starts_with(b"x0,x1\n") && csv.iter().filter(|b| **b == b'\n').count() == 1025);

@@ -1,10 +1,11 @@
 //! Radical inverses, conversions, wide integers, elementary functions, maps and the frame.
 
-use corput::catalog::{Map, Options, Sequence};
+use corput::catalog::{Map, Mapping, Options, Sequence};
+use corput::interface::task;
 
 use super::Killer::{Judge, Linter, Mismatch};
 use super::{Mutant, mutant, twice};
-use crate::harness::Target::{Function, Generate, Native, Portable, Tile};
+use crate::harness::Target::{self, Function, Generate, Native, Portable, Tile};
 
 fn points(bases: &[u64], fractions: bool) -> Options {
     let mut options = Options::new(Sequence::Halton, 1 << 16);
@@ -31,7 +32,8 @@ fn grid() -> Options {
 
 fn disk() -> Options {
     let mut options = Options::new(Sequence::Halton, 1 << 10);
-    options.map = Map::from_name("concentric-disk").ok();
+    let map = Map::from_name("concentric-disk");
+    options.map = map.and_then(|map| Mapping::new(map, &[])).ok();
     options.with_pdf = true;
     options
 }
@@ -53,6 +55,29 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/hammersley.glsl", "count != 0u && remainder >= count", "count != 0u && remainder > count"),
     mutant("no carry in the step of k/N", Mismatch, Tile(grid),
         "corput/hammersley.glsl", "p.fraction + step.fraction + (carry ? 1u : 0u)", "p.fraction + step.fraction"),
+    // Reals.
+    mutant("no guard bits in a difference", Mismatch, Function("real_add"),
+        "corput/real.glsl", "uint(min(large.e - small.e, 63)));", "uint(min(large.e - small.e, 63))) & uvec2(0u, 0xffffffffu);"),
+    mutant("a quotient without its residual", Mismatch, Function("real_multiply"),
+        "corput/real.glsl", "uvec2(low, 0u)", "uvec2(0u)"),
+    mutant("a reciprocal of one iteration less", Mismatch, Function("real_multiply"),
+        "corput/real.glsl", "corput_mulhi(m, x)), 30u).x << 1;", "0x40000000u), 30u).x << 1;"),
+    mutant("no odd exponents in the root", Mismatch, Function("real_sqrt"),
+        "corput/real.glsl", "+ ((a.m & odd) << 17)", ""),
+    mutant("no saturation of floats", Mismatch, Function("real_float"),
+        "corput/real.glsl", "bits = min(bits, corput_pack_bits(CorputScaled(a.m, a.e)));", "bits = corput_pack_bits(CorputScaled(a.m, a.e));"),
+    mutant("magnitudes for signed numbers in min", Mismatch, Function("real_min"),
+        "corput/real.glsl", "return corput_real_smaller(b, a);", "return corput_real_smaller(a, b);"),
+    mutant("the vector product the other way round", Mismatch, Function("real_vector"),
+        "corput/real_vector.glsl", "corput_real_multiply(v.y, w.z), corput_real_multiply(v.z, w.y)", "corput_real_multiply(v.z, w.y), corput_real_multiply(v.y, w.z)"),
+    // Maps of points in memory.
+    mutant("the first fraction for the second", Mismatch, Target::Map("cosine-hemisphere", task::SAMPLE),
+        "kernels/map_main.glsl", "points[at + 1u]", "points[at]"),
+    mutant("the pdf of another map", Mismatch, Target::Map("uniform-hemisphere", task::PDF),
+        "kernels/map_hemisphere.glsl", "return floatBitsToUint(MAP_FUNCTION(uniform_hemisphere_pdf)(d));",
+        "return floatBitsToUint(MAP_FUNCTION(cosine_hemisphere_pdf)(d));"),
+    mutant("columns for rows in the inverse", Mismatch, Target::Map("polar-disk", task::INVERT),
+        "kernels/map_hemisphere.glsl", "(polar_disk_invert)(d.xy)", "(polar_disk_invert)(d.yx)"),
     // Floats from fractions.
     mutant("2^-32 float(u) in unit_floor", Mismatch, Function("unit"),
         "corput/unit.glsl", "float(u >> 8) * 5.9604644775390625e-8", "float(u) * 2.3283064365386963e-10"),

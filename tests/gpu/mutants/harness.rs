@@ -4,11 +4,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use corput::bulk::{Columns, NearestWords, pair_kind_of};
-use corput::catalog::{Engine, FUNCTIONS, Function, Options, Output, Request};
+use corput::catalog::{Engine, FUNCTIONS, Function, Map, Options, Output, Profile, Request};
 use corput::check::{self, Case, NATIVE, Row, arguments};
 use corput::interface::Kernel;
-use corput::kernels::{Evaluator, Generator, Pairs, VoidAndCluster, kernel};
-use corput::variant::{Plan, Work, general, plan};
+use corput::kernels::{Evaluator, Generator, Mapper, Pairs, VoidAndCluster, kernel};
+use corput::variant::{FusedMap, Plan, Work, general, plan};
 use corput::vulkan::{Device, DeviceKind};
 use corput::{compile, headers};
 
@@ -64,6 +64,8 @@ pub enum Target {
     Generate(fn() -> Options),
     /// Points by the kernel that the request gets: a tile, or fused with a map.
     Tile(fn() -> Options),
+    /// A task of a map, with all its example parameters.
+    Map(&'static str, u32),
     /// Sums over pairs of points.
     Pairs,
     /// The nearest pair.
@@ -95,6 +97,7 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
             Evaluator::with_module(device, "evaluate_native", row.id, &words)
                 .and_then(|evaluator| check::compare_native(&evaluator, row, &arguments(row.kind)))
         }
+        Target::Map(name, task) => mapped(device, name, task, &words),
         Target::Pairs => check::compare_pair_sums(&mut |kind, columns, scale| {
             let kind = pair_kind_of(kind);
             pairs(device, "pairs", columns, kind, &words)?.sum(scale, &mut |_, _| Ok(()))
@@ -140,6 +143,7 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         Target::Function(name) => named(function_row(name).kernel),
         Target::Portable(_) => named("evaluate_portable"),
         Target::Native(_) => named("evaluate_native"),
+        Target::Map(name, _) => named(map(name).group.kernel(Profile::Exact)),
         Target::Pairs => named("pairs"),
         Target::Nearest => named("nearest"),
         Target::Mask => named("void_and_cluster"),
@@ -191,6 +195,17 @@ fn pairs(
     Pairs::with_module(device, kernel, columns.words(), dimensions, choice, words)
 }
 
+fn mapped(device: &Arc<Device>, name: &str, task: u32, words: &[u32]) -> corput::Result<Row> {
+    let mappings = check::examples(map(name))?;
+    let first = mappings.first().expect("an example");
+    let mut mapper = Mapper::with_module(device, first, true, Profile::Exact, task, words)?;
+    check::compare_map(&mut mapper, map(name), &mappings, task)
+}
+
+fn map(name: &str) -> &'static Map {
+    Map::from_name(name).unwrap_or_else(|error| panic!("{error}"))
+}
+
 fn function_row(name: &str) -> &'static Function {
     let found = FUNCTIONS.iter().find(|function| function.name == name);
     found.unwrap_or_else(|| panic!("no function {name}"))
@@ -210,7 +225,11 @@ fn planned(device: &Device, target: Target, request: &Request) -> Plan {
         columns: &request.columns,
         points: request.count,
         fractions: request.output == Output::Fractions,
-        map: request.map.map(|map| (map.id, request.with_pdf)),
+        map: request.map.as_ref().map(|mapping| FusedMap {
+            id: mapping.map().id,
+            coordinates: mapping.map().coordinates,
+            with_pdf: request.with_pdf,
+        }),
         native: false,
         cpu: device.info().kind == DeviceKind::Cpu,
     };

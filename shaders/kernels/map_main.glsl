@@ -1,0 +1,55 @@
+// Points in memory through a map, four an invocation, by the three functions of a group:
+// map_sample: fractions to coordinates and then the pdf, as float bits;
+// map_pdf: coordinates to the bits of the pdf; map_invert: coordinates to fractions.
+#ifndef KERNEL_MAP_MAIN_GLSL
+#define KERNEL_MAP_MAIN_GLSL
+
+#include "map_store.glsl"
+
+const uint SAMPLE = 0u;
+const uint PDF = 1u;
+const uint INVERT = 2u;
+
+// The fractions of point n.
+uvec3 map_fractions(uint n) {
+    uint at = n * DIMENSIONS;
+    uvec3 u = uvec3(points[at], 0u, 0u);
+    // No load past the end of the buffer.
+    if (DIMENSIONS > 1u) {
+        u.y = points[at + 1u];
+    }
+    if (DIMENSIONS > 2u) {
+        u.z = points[at + 2u];
+    }
+    return u;
+}
+
+// The words that the task makes of input n.
+uvec4 map_result(uint n) {
+    if (TASK == SAMPLE) {
+        return map_sample(map_fractions(n));
+    }
+    uvec4 s = uvec4(points[4u * n], points[4u * n + 1u], points[4u * n + 2u], points[4u * n + 3u]);
+    if (TASK == PDF) {
+        return uvec4(map_pdf(s), 0u, 0u, 0u);
+    }
+    if (TASK == INVERT) {
+        return uvec4(map_invert(s), 0u);
+    }
+    return uvec4(0u);
+}
+
+void main() {
+    uint i = kernel_invocation();
+    if (i >= push.invocations) {
+        return;
+    }
+    uvec4 made[4];
+    for (uint k = 0u; k < 4u; k++) {
+        made[k] = map_result(4u * i + k);
+    }
+    uint width = TASK == SAMPLE ? COORDINATES + WITH_PDF : TASK == PDF ? 1u : 4u;
+    map_store(i * width, width, made[0], made[1], made[2], made[3]);
+}
+
+#endif

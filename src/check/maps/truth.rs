@@ -1,0 +1,28 @@
+//! The judge's sample of a map.
+
+use crate::catalog::{Group, Mapping};
+use crate::interface::map;
+use crate::judge;
+
+/// Coordinates of the sample and then its pdf, in `f64`; `None` where no judge knows.
+#[must_use]
+pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
+    let id = mapping.map().id;
+    match mapping.map().group {
+        Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
+    }
+}
+
+fn hemisphere(id: u32, u: [u32; 2]) -> [f64; 4] {
+    let over_pi = std::f64::consts::FRAC_1_PI;
+    let planar = |p: [f64; 2]| [p[0], p[1], over_pi, 0.0];
+    let spatial = |d: [f64; 3], pdf: f64| [d[0], d[1], d[2], pdf];
+    let lambert = |d: [f64; 3]| spatial(d, d[2] * over_pi);
+    match id {
+        map::CONCENTRIC_DISK => planar(judge::concentric_disk(u)),
+        map::POLAR_DISK => planar(judge::polar_disk(u)),
+        map::UNIFORM_HEMISPHERE => spatial(judge::uniform_hemisphere(u), 0.5 * over_pi),
+        map::COSINE_HEMISPHERE => lambert(judge::cosine_hemisphere(u)),
+        _ => lambert(judge::cosine_hemisphere_polar(u)),
+    }
+}
