@@ -1,5 +1,7 @@
 //! Integer weights to probabilities over 2^32, and the tables that draw by them.
 
+use std::cmp::Ordering;
+
 /// Weights that sum to exactly 2^32, in the proportions of the given ones.
 ///
 /// Each positive weight becomes at least 1, so that what was possible stays possible; the
@@ -93,20 +95,28 @@ pub fn alias_table(weights: &[u64]) -> Vec<u32> {
         // A weight of 2^32, of the only item that has any, is written as 0.
         words[3 * index + 1] = index as u32;
         words[3 * index + 2] = weight as u32;
-        match weight < size(index as u64) {
-            true => small.push(index as u32),
-            false => large.push(index as u32),
+        match weight.cmp(&size(index as u64)) {
+            Ordering::Less => small.push(index as u32),
+            Ordering::Equal => {}
+            Ordering::Greater => large.push(index as u32),
         }
     }
-    // Where a small one is left, so is a large one: the sizes sum to what the weights do.
+    // Where a small one is left, so is a large one: the sizes sum to what the weights do. A
+    // large one has more than its own bin holds, hence at least what any bin does.
     while let (Some(&from), Some(to)) = (large.last(), small.pop()) {
         let own = left[to as usize];
         words[3 * to as usize] = (own * count) as u32;
         words[3 * to as usize + 1] = from;
         left[from as usize] -= size(u64::from(to)) - own;
-        if left[from as usize] < size(u64::from(from)) {
-            large.pop();
-            small.push(from);
+        match left[from as usize].cmp(&size(u64::from(from))) {
+            Ordering::Less => {
+                large.pop();
+                small.push(from);
+            }
+            Ordering::Equal => {
+                large.pop();
+            }
+            Ordering::Greater => {}
         }
     }
     words

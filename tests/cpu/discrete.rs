@@ -206,6 +206,31 @@ fn the_alias_table_draws_each_item_for_its_weight() {
 }
 
 #[test]
+fn bins_of_unequal_size_are_filled_exactly() {
+    // Weights next to the size of a bin, and none: where a bin that is larger by one takes
+    // what another has too much by one.
+    for seed in 0..4000u32 {
+        let count = 3 + mix(seed) % 13;
+        let bin = ALL / u64::from(count);
+        let mut left = ALL;
+        let mut shares = Vec::new();
+        for i in 0..count {
+            let share = match mix(seed ^ i << 16) % 4 {
+                0 => 0,
+                k => (bin + u64::from(k) - 2).min(left),
+            };
+            left -= share;
+            shares.push(share);
+        }
+        shares[0] += left;
+        // Every positive weight gets 1, and the rest in proportion: these are the shares.
+        let weights: Vec<u64> = shares.iter().map(|s| s.saturating_sub(1)).collect();
+        assert_eq!(quantise(&weights), shares);
+        assert_eq!(alias_counts(&alias_table(&weights)), quantise(&weights));
+    }
+}
+
+#[test]
 fn a_stride_through_every_u_agrees() {
     for count in [3u64, 7, 12, 255] {
         let weights: Vec<u64> = (0..count).map(|i| u64::from(mix(i as u32) >> 20)).collect();
