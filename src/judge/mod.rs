@@ -8,7 +8,9 @@ mod digits;
 mod functions;
 mod maps;
 pub mod random;
+mod scattering;
 mod strata;
+mod wide;
 
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
 pub use functions::{
@@ -18,7 +20,9 @@ pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
+pub use scattering::{Ggx, henyey_greenstein, henyey_greenstein_pdf};
 pub use strata::{additive, cmj, korobov, stratum};
+pub use wide::Wide;
 
 /// The distance from `truth` to `got` in units of the last place of the float nearest
 /// to `truth`; zero counts the smallest normal float as its unit.

@@ -4,3 +4,5 @@
 pub mod disk;
 pub mod frame;
 pub mod hemisphere;
+pub mod henyey_greenstein;
+pub mod scattered;
