@@ -130,6 +130,22 @@ const fn strata(name: &'static str, header: &'static str, id: u32, kind: Kind) -
     }
 }
 
+const fn real(name: &'static str, header: &'static str, id: u32) -> Function {
+    Function {
+        kernel: "evaluate_real",
+        ..integer(name, header, id, Kind::CostlyWords)
+    }
+}
+
+/// A pair of operations, each within 2^-30 of itself.
+const fn judged(name: &'static str, id: u32) -> Function {
+    Function {
+        bound: Some(1.0),
+        unit: "2^-30",
+        ..real(name, "real", id)
+    }
+}
+
 const fn blue_noise(name: &'static str, header: &'static str, id: u32) -> Function {
     Function {
         kernel: "evaluate_blue_noise",
@@ -155,6 +171,12 @@ pub const FUNCTIONS: &[Function] = &[
     float("multiply", "elementary", 8, Kind::Floats, 0.5, "ULP"),
     float("atan2", "elementary", 9, Kind::Floats, 2.0, "2^-32 turn"),
     integer("ratio", "elementary", 10, Kind::Words),
+    judged("real_add", 0),
+    judged("real_multiply", 1),
+    judged("real_sqrt", 2),
+    real("real_min", "real", 3),
+    real("real_float", "real", 4),
+    real("real_vector", "real_vector", 5),
     integer("radical_inverse", "radical_inverse", 11, Kind::Radical),
     integer("hammersley", "hammersley", 12, Kind::Grid),
     float("concentric_disk", "disk", 13, Kind::Words, 0.6, "ULP"),

@@ -3,7 +3,7 @@
 use super::blue_noise;
 use super::inputs::arguments;
 use super::rows::{Row, Verdict};
-use super::{domain, net, random, strata};
+use super::{domain, net, random, real, strata};
 use crate::Result;
 use crate::catalog::Function;
 use crate::judge::{self, ulp_error};
@@ -181,6 +181,7 @@ fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
             .or_else(|| net::reference(name, a))
             .or_else(|| strata::reference(name, a))
             .or_else(|| domain::reference(name, a))
+            .or_else(|| real::reference(name, a))
             .unwrap_or([u32::MAX; 4]),
     }
 }
@@ -255,7 +256,7 @@ fn error(name: &str, a: [u32; 4], got: [u32; 4]) -> f64 {
             };
             absolute(got, truth)
         }
-        _ => 0.0,
+        _ => real::error(name, a, got).unwrap_or(0.0),
     }
 }
 

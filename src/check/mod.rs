@@ -17,6 +17,7 @@ mod net;
 mod pairs;
 mod points;
 mod random;
+mod real;
 mod rows;
 mod strata;
 

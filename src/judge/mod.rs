@@ -9,7 +9,9 @@ mod functions;
 mod maps;
 pub mod random;
 mod scattering;
+pub mod spherical;
 mod strata;
+mod transcendental;
 mod wide;
 
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
@@ -22,6 +24,7 @@ pub use maps::{
 };
 pub use scattering::{Ggx, henyey_greenstein, henyey_greenstein_pdf};
 pub use strata::{additive, cmj, korobov, stratum};
+pub use transcendental::{log, log2, negative_log};
 pub use wide::Wide;
 
 /// The distance from `truth` to `got` in units of the last place of the float nearest

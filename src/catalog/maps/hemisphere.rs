@@ -48,6 +48,7 @@ pub(super) const MAPS: &[Map] = &[
         name: "uniform-hemisphere",
         id: map::UNIFORM_HEMISPHERE,
         pdf: "1 / (2 pi)",
+        pdf_ulp: 0.5,
         summary: "uniform directions above the horizon",
         source: "Archimedes' projection",
         ..BASE
@@ -58,6 +59,7 @@ pub(super) const MAPS: &[Map] = &[
         coordinates: 2,
         measure: "area",
         pdf: "1 / pi",
+        pdf_ulp: 0.5,
         ulp: 0.6,
         summary: "the unit disk, squares to circles",
         source: "Shirley and Chiu 1997",
@@ -69,6 +71,7 @@ pub(super) const MAPS: &[Map] = &[
         coordinates: 2,
         measure: "area",
         pdf: "1 / pi",
+        pdf_ulp: 0.5,
         summary: "the unit disk, radius and angle",
         source: "inversion of the radial CDF",
         ..BASE

@@ -184,6 +184,8 @@ const EVALUATORS: &[Kernel] = &[
     evaluate("evaluate_net_portable", "evaluate_net.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_random", "evaluate_random.comp", &[], Profile::Integer),
     evaluate("evaluate_random_portable", "evaluate_random.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_real", "evaluate_real.comp", &[], Profile::Integer),
+    evaluate("evaluate_real_portable", "evaluate_real.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_strata", "evaluate_strata.comp", &[], Profile::Integer),
     evaluate("evaluate_strata_portable", "evaluate_strata.comp", PORTABLE, Profile::Integer),
 ];

@@ -1,8 +1,10 @@
 //! The native profile's formulas in `f32`: a twin by formula, not by bits, since each
 //! device has functions of its own.
 
+pub mod cone;
 pub mod disk;
 pub mod frame;
 pub mod hemisphere;
 pub mod henyey_greenstein;
 pub mod scattered;
+pub mod sphere;
