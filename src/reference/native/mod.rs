@@ -5,4 +5,6 @@ pub mod cone;
 pub mod disk;
 pub mod frame;
 pub mod hemisphere;
+pub mod henyey_greenstein;
+pub mod scattered;
 pub mod sphere;
