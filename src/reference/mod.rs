@@ -23,6 +23,7 @@
     reason = "statements and literals read as in the shaders"
 )]
 
+pub mod beckmann;
 pub mod bits;
 pub mod blue_noise;
 pub mod cone;
@@ -63,6 +64,7 @@ pub mod random;
 pub mod real;
 pub mod real_angle;
 pub mod real_vector;
+pub mod reflect;
 pub mod scattered;
 pub mod scrambled_radical_inverse;
 pub mod screen_space;
