@@ -7,6 +7,7 @@
 mod digits;
 mod functions;
 mod maps;
+mod normal;
 pub mod random;
 mod scattering;
 pub mod spherical;
@@ -22,7 +23,11 @@ pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
+<<<<<<< HEAD
 pub use scattering::{Ggx, henyey_greenstein, henyey_greenstein_pdf};
+=======
+pub use normal::{normal_density, normal_quantile, normal_tail};
+>>>>>>> main
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};
 pub use wide::Wide;

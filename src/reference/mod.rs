@@ -23,11 +23,14 @@
     reason = "statements and literals read as in the shaders"
 )]
 
+pub mod angle;
+pub mod arc;
 pub mod beckmann;
 pub mod bits;
 pub mod blue_noise;
 pub mod cone;
 pub mod discrepancy;
+pub mod discrete;
 pub mod disk;
 pub mod distance;
 pub mod domain;
@@ -35,6 +38,7 @@ pub mod domain_draw;
 pub mod domain_halton;
 pub mod domain_sobol;
 pub mod elementary;
+pub mod environment;
 pub mod envmap;
 pub mod exponential;
 pub mod fixed;
@@ -54,6 +58,7 @@ pub mod lattice;
 pub mod lattice_vector;
 pub mod logarithm;
 pub mod native;
+pub mod normal_quantile;
 pub mod odometer;
 pub mod owen;
 pub mod permute;
@@ -71,5 +76,7 @@ pub mod screen_space;
 pub mod sobol;
 pub mod sobol_directions;
 pub mod sphere;
+pub mod spherical_triangle;
 pub mod stratified;
 pub mod unit;
+pub mod wide;
