@@ -23,11 +23,8 @@ pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
-<<<<<<< HEAD
-pub use scattering::{Ggx, henyey_greenstein, henyey_greenstein_pdf};
-=======
 pub use normal::{normal_density, normal_quantile, normal_tail};
->>>>>>> main
+pub use scattering::{Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_pdf};
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};
 pub use wide::Wide;

@@ -5,7 +5,7 @@
 //         any length near 1. Two fractions of 2^32.
 // range:  unit vectors to the device's precision.
 // pdf:    with respect to solid angle.
-// errors: Vulkan allows sin and cos an absolute error of 2^-11, log 3 ULP.
+// errors: about 2^-19 of normals, directions and, relative, their pdf.
 // cost:   40 to 60 float instructions.
 // hooks:  none.
 // mirror: src/reference/native/beckmann.rs

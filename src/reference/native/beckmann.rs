@@ -4,7 +4,7 @@
 //! Source: Walter et al. 2007, as beckmann.glsl. Domain: finite alpha; its sign does not
 //! count, and what is below 1e-9 counts as that. wo of any length near 1. Two fractions
 //! of 2^32. Range: unit vectors to the device's precision. Pdf: with respect to solid
-//! angle. Errors: Vulkan allows sin and cos an absolute error of 2^-11, log 3 ULP.
+//! angle. Errors: about 2^-19 of normals, directions and, relative, their pdf.
 //! Mirror: `shaders/corput/native/beckmann.glsl`.
 
 use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
