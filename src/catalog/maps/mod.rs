@@ -9,6 +9,7 @@
 
 mod hemisphere;
 mod mapping;
+mod scattering;
 mod spherical;
 
 pub use mapping::Mapping;
@@ -24,6 +25,8 @@ pub enum Group {
     Hemisphere,
     /// Uniform directions of solid angles.
     Spherical,
+    /// Phase functions and microsurfaces.
+    Scattering,
 }
 
 impl Group {
@@ -32,6 +35,7 @@ impl Group {
     pub fn kernel(self, profile: Profile) -> &'static str {
         let names = match self {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
+            Self::Scattering => ["map_scattering", "map_scattering_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
         };
         match profile {
@@ -131,7 +135,7 @@ impl PartialEq for Map {
 }
 
 /// The groups in the order of the documentation.
-const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS];
+const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS, scattering::MAPS];
 
 /// Every map.
 pub fn maps() -> impl Iterator<Item = &'static Map> {
