@@ -180,6 +180,8 @@ const EVALUATORS: &[Kernel] = &[
     evaluate("evaluate_blue_noise_portable", "evaluate_blue_noise.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_domain", "evaluate_domain.comp", &[], Profile::Integer),
     evaluate("evaluate_domain_portable", "evaluate_domain.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_elementary", "evaluate_elementary.comp", &[], Profile::Integer),
+    evaluate("evaluate_elementary_portable", "evaluate_elementary.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_net", "evaluate_net.comp", &[], Profile::Integer),
     evaluate("evaluate_net_portable", "evaluate_net.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_random", "evaluate_random.comp", &[], Profile::Integer),
