@@ -23,10 +23,13 @@
     reason = "statements and literals read as in the shaders"
 )]
 
+pub mod angle;
+pub mod arc;
 pub mod bits;
 pub mod blue_noise;
 pub mod cone;
 pub mod discrepancy;
+pub mod discrete;
 pub mod disk;
 pub mod distance;
 pub mod domain;
@@ -34,6 +37,7 @@ pub mod domain_draw;
 pub mod domain_halton;
 pub mod domain_sobol;
 pub mod elementary;
+pub mod environment;
 pub mod envmap;
 pub mod exponential;
 pub mod fixed;
@@ -62,5 +66,7 @@ pub mod screen_space;
 pub mod sobol;
 pub mod sobol_directions;
 pub mod sphere;
+pub mod spherical_triangle;
 pub mod stratified;
 pub mod unit;
+pub mod wide;

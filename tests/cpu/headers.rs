@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &str); 2] = [
 ];
 
 /// Hooks: the header that needs it, the macro, a definition.
-const HOOKS: [(&str, &str, &str); 7] = [
+const HOOKS: [(&str, &str, &str); 9] = [
     (
         "corput/halton.glsl",
         "CORPUT_PRIME",
@@ -54,6 +54,16 @@ const HOOKS: [(&str, &str, &str); 7] = [
         "corput/blue_noise.glsl",
         "CORPUT_BLUE_NOISE",
         "#define CORPUT_BLUE_NOISE(x, y) ((x) + 16u * (y))\n",
+    ),
+    (
+        "corput/discrete.glsl",
+        "CORPUT_DISCRETE",
+        "#define CORPUT_DISCRETE(i) ((i) * 0x9e3779b9u)\n",
+    ),
+    (
+        "corput/environment.glsl",
+        "CORPUT_DISCRETE",
+        "#define CORPUT_DISCRETE(i) ((i) * 0x9e3779b9u)\n",
     ),
 ];
 
