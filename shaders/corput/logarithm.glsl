@@ -88,12 +88,17 @@ CorputReal corput_real_log2(CorputReal x) {
     return corput_real_add(CorputReal(whole.m, whole.e, part.n < 0), CorputReal(rest.m, rest.e, rest.m != 0u && part.negative));
 }
 
+// 1 - u, u a fraction of 2^32, exactly: above 0.
+CorputReal corput_real_complement(uint u) {
+    if (u == 0u) {
+        return corput_real_uint(1u, 0);
+    }
+    return corput_real_uint(0u - u, -32);
+}
+
 // -ln(1 - u), u a fraction of 2^32: 0 to 32 ln 2, never infinite.
 CorputReal corput_real_negative_log(uint u) {
-    if (u == 0u) {
-        return corput_real_zero();
-    }
-    return corput_real_negate(corput_real_log(corput_real_uint(0u - u, -32)));
+    return corput_real_negate(corput_real_log(corput_real_complement(u)));
 }
 
 // -ln(1 - u), u a fraction of 2^32: +0 to 22.18071.

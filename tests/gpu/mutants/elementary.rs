@@ -9,7 +9,7 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("a native logarithm", Linter, Function("negative_log"),
         "corput/logarithm.glsl", "return corput_real_float(corput_real_negative_log(u));", "return -log(uintBitsToFloat(u));"),
     mutant("~u for 1 - u in the logarithm", Mismatch, Function("negative_log"),
-        "corput/logarithm.glsl", "corput_real_uint(0u - u, -32)", "corput_real_uint(~u, -32)"),
+        "corput/logarithm.glsl", "return corput_real_uint(0u - u, -32);", "return corput_real_uint(~u, -32);"),
     mutant("a coefficient of the logarithm 2^12 units off", Mismatch, Function("log"),
         "corput/logarithm.glsl", "858988655u", "858992751u"),
     mutant("the last product of the logarithm is cut", Mismatch, Function("log"),
@@ -43,5 +43,5 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("tails of the other sign", Mismatch, Function("normal_quantile"),
         "corput/normal_quantile.glsl", "z.negative ? tail : ~tail", "z.negative ? ~tail : tail"),
     mutant("a signed step as an unsigned one", Mismatch, Function("normal_tail"),
-        "corput/normal_quantile.glsl", "p < 0 ? product - x : product", "product"),
+        "corput/normal_quantile.glsl", "if (p < 0) {\n        product -= x;", "if (p < 0) {"),
 ];
