@@ -3,6 +3,10 @@
 
 pub mod cone;
 pub mod disk;
+pub mod filter;
 pub mod frame;
+pub mod free_flight;
+pub mod gaussian;
 pub mod hemisphere;
+pub mod normal_quantile;
 pub mod sphere;
