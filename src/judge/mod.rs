@@ -9,9 +9,11 @@ mod functions;
 mod maps;
 mod normal;
 pub mod random;
+mod scattering;
 pub mod spherical;
 mod strata;
 mod transcendental;
+mod wide;
 
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
 pub use functions::{
@@ -22,8 +24,10 @@ pub use maps::{
     uniform_hemisphere,
 };
 pub use normal::{normal_density, normal_quantile, normal_tail};
+pub use scattering::{Ggx, henyey_greenstein, henyey_greenstein_pdf};
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};
+pub use wide::Wide;
 
 /// The distance from `truth` to `got` in units of the last place of the float nearest
 /// to `truth`; zero counts the smallest normal float as its unit.

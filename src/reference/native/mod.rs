@@ -8,5 +8,7 @@ pub mod frame;
 pub mod free_flight;
 pub mod gaussian;
 pub mod hemisphere;
+pub mod henyey_greenstein;
 pub mod normal_quantile;
+pub mod scattered;
 pub mod sphere;
