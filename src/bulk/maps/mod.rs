@@ -1,6 +1,7 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
 mod hemisphere;
+mod line;
 mod spherical;
 
 use crate::catalog::{Group, Mapping, Profile};
@@ -12,6 +13,7 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
+        Group::Line => line::sample(profile, id, p, u),
     }
 }
 
@@ -23,6 +25,7 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
     let pdf = match mapping.map().group {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
+        Group::Line => line::pdf(profile, id, p, s),
     };
     pdf.to_bits()
 }
@@ -35,5 +38,6 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
+        Group::Line => line::invert(profile, id, p, s),
     }
 }

@@ -8,6 +8,7 @@
 //! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
 
 mod hemisphere;
+mod line;
 mod mapping;
 mod spherical;
 
@@ -24,6 +25,8 @@ pub enum Group {
     Hemisphere,
     /// Uniform directions of solid angles.
     Spherical,
+    /// Free flight, normal distributions and pixel filters.
+    Line,
 }
 
 impl Group {
@@ -33,6 +36,7 @@ impl Group {
         let names = match self {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
+            Self::Line => ["map_line", "map_line_native"],
         };
         match profile {
             Profile::Exact => names[0],
@@ -96,7 +100,7 @@ pub struct Map {
     pub floor: f64,
     /// Worst error of the pdf of a sample in the exact profile, in ULP.
     pub pdf_ulp: f64,
-    /// Worst absolute error of a coordinate in the native profile.
+    /// Worst error of a coordinate in the native profile: absolute, and relative above 1.
     pub native: f64,
     /// Worst relative error of the pdf in the native profile.
     pub native_pdf: f64,
@@ -131,7 +135,7 @@ impl PartialEq for Map {
 }
 
 /// The groups in the order of the documentation.
-const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS];
+const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS, line::MAPS];
 
 /// Every map.
 pub fn maps() -> impl Iterator<Item = &'static Map> {

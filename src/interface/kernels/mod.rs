@@ -201,6 +201,8 @@ const MAPPERS: &[Kernel] = &[
     maps("map_hemisphere_native", "map_hemisphere.comp", MAPPED, Profile::Native),
     maps("map_spherical", "map_spherical.comp", MAPPED, Profile::Integer),
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
+    maps("map_line", "map_line.comp", MAPPED, Profile::Integer),
+    maps("map_line_native", "map_line.comp", MAPPED, Profile::Native),
 ];
 
 const MADE: usize = POINT_KERNELS * FAMILIES.len();

@@ -7,9 +7,11 @@
 //! Vulkan allows division, sqrt, log and exp.
 //! Mirror: `shaders/corput/native/filter.glsl`.
 
-use crate::reference::native::normal_quantile::{native_normal_density, native_normal_masses, native_quantile};
-use crate::reference::native::free_flight::{native_positive};
 use crate::reference::native::disk::{native_fraction, native_unit};
+use crate::reference::native::free_flight::native_positive;
+use crate::reference::native::normal_quantile::{
+    native_normal_density, native_normal_masses, native_quantile,
+};
 use glam::{UVec2, Vec2, uvec2, vec2};
 
 /// An offset from the pixel's centre, and its pdf.
@@ -52,7 +54,10 @@ pub fn native_filter_side(x: f32, negative: bool) -> f32 {
 #[inline]
 #[must_use]
 pub fn native_filter_point(x: f32, y: f32, u: UVec2) -> Vec2 {
-    vec2(native_filter_side(x, u.x < 0x8000_0000), native_filter_side(y, u.y < 0x8000_0000))
+    vec2(
+        native_filter_side(x, u.x < 0x8000_0000),
+        native_filter_side(y, u.y < 0x8000_0000),
+    )
 }
 
 /// The fractions with these shares of their halves.
@@ -71,7 +76,10 @@ pub fn native_filter_box(radius: f32, u: UVec2) -> NativeFilterSample {
     let r = native_positive(radius);
     let x = r * native_unit(native_filter_share(u.x));
     let y = r * native_unit(native_filter_share(u.y));
-    NativeFilterSample { p: native_filter_point(x, y, u), pdf: 0.25 / r / r }
+    NativeFilterSample {
+        p: native_filter_point(x, y, u),
+        pdf: 0.25 / r / r,
+    }
 }
 
 /// 1 / (4 r^2) within the square.
@@ -79,7 +87,11 @@ pub fn native_filter_box(radius: f32, u: UVec2) -> NativeFilterSample {
 #[must_use]
 pub fn native_filter_box_pdf(radius: f32, p: Vec2) -> f32 {
     let r = native_positive(radius);
-    if (p.x.abs()).max(p.y.abs()) <= r { 0.25 / r / r } else { 0.0 }
+    if (p.x.abs()).max(p.y.abs()) <= r {
+        0.25 / r / r
+    } else {
+        0.0
+    }
 }
 
 /// The fractions that give this offset.
@@ -102,7 +114,10 @@ pub fn native_filter_tent(radius: f32, u: UVec2) -> NativeFilterSample {
     // 1 - (1 - a).sqrt() = a / (1 + (1 - a).sqrt()).
     let x = r * (native_unit(x_share) / (1.0 + x_height));
     let y = r * (native_unit(y_share) / (1.0 + y_height));
-    NativeFilterSample { p: native_filter_point(x, y, u), pdf: x_height / r * (y_height / r) }
+    NativeFilterSample {
+        p: native_filter_point(x, y, u),
+        pdf: x_height / r * (y_height / r),
+    }
 }
 
 /// (1 - |x|/r) (1 - |y|/r) / r^2.
@@ -131,7 +146,11 @@ pub fn native_filter_tent_invert(radius: f32, p: Vec2) -> UVec2 {
 pub fn native_filter_gaussian_prepare(radius: f32, sigma: f32) -> NativeFilterGaussian {
     let r = native_positive(radius);
     let s = native_positive(sigma);
-    NativeFilterGaussian { radius: r, sigma: s, masses: native_normal_masses(r / s) }
+    NativeFilterGaussian {
+        radius: r,
+        sigma: s,
+        masses: native_normal_masses(r / s),
+    }
 }
 
 /// |x| / sigma for a sample's coordinate.
@@ -168,7 +187,8 @@ pub fn native_filter_gaussian_pdf(f: NativeFilterGaussian, p: Vec2) -> f32 {
     if (p.x.abs()).max(p.y.abs()) > f.radius {
         return 0.0;
     }
-    native_filter_gaussian_density(f, p.x / f.sigma) * native_filter_gaussian_density(f, p.y / f.sigma)
+    native_filter_gaussian_density(f, p.x / f.sigma)
+        * native_filter_gaussian_density(f, p.y / f.sigma)
 }
 
 /// The fractions that give this offset.
