@@ -12,7 +12,7 @@
 #ifndef CORPUT_LOGARITHM_GLSL
 #define CORPUT_LOGARITHM_GLSL
 
-#include "corput/real.glsl"
+#include "corput/real_angle.glsl"
 
 // ln x = n ln 2 + (negative ? -1 : 1) * rest * 2^-63.
 struct CorputLogarithm {
@@ -86,14 +86,6 @@ CorputReal corput_real_log2(CorputReal x) {
     CorputReal rest = corput_real_multiply(corput_real_wide(part.rest, -63), CorputReal(3098164009u, -31, false));
     CorputReal whole = corput_real_uint(uint(abs(part.n)), 0);
     return corput_real_add(CorputReal(whole.m, whole.e, part.n < 0), CorputReal(rest.m, rest.e, rest.m != 0u && part.negative));
-}
-
-// 1 - u, u a fraction of 2^32, exactly: above 0.
-CorputReal corput_real_complement(uint u) {
-    if (u == 0u) {
-        return corput_real_uint(1u, 0);
-    }
-    return corput_real_uint(0u - u, -32);
 }
 
 // -ln(1 - u), u a fraction of 2^32: 0 to 32 ln 2, never infinite.

@@ -193,7 +193,7 @@ pub const FUNCTIONS: &[Function] = &[
     real("real_vector", "real_vector", 5),
     elementary("negative_log", "logarithm", 0, Kind::Word, 0.51, "ULP"),
     elementary("log", "logarithm", 1, Kind::Float, 0.52, "ULP"),
-    elementary("exponential", "exponential", 2, Kind::Float, 0.52, "ULP"),
+    elementary("exp", "exponential", 2, Kind::Float, 0.52, "ULP"),
     elementary("power", "exponential", 3, Kind::Floats, 1.0, "of bound"),
     elementary(
         "normal_quantile",

@@ -39,7 +39,7 @@ pub fn reference(name: &str, a: [u32; 4]) -> Option<[u32; 4]> {
             let [m, e] = words(real_log(real(x)));
             [log(x).to_bits(), log2(x).to_bits(), m, e]
         }
-        "exponential" => [
+        "exp" => [
             exp2(x),
             exp2(moderate(a[1])),
             exp(moderate(a[1])),
@@ -102,7 +102,7 @@ pub fn error(name: &str, a: [u32; 4], got: [u32; 4]) -> Option<f64> {
                 ulp_error(float(1), judge::log2(x)),
             )
         }
-        "exponential" => {
+        "exp" => {
             let truth = [wide.exp2(), wide.exp(), (-0.5 * wide * wide).exp()];
             let each = truth.into_iter().enumerate();
             each.fold(0.0, |worst, (i, truth)| {

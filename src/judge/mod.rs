@@ -26,3 +26,18 @@ pub use maps::{
 };
 pub use normal::{normal_density, normal_mass, normal_quantile, normal_tail};
 pub use scattering::{Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_pdf};
+pub use strata::{additive, cmj, korobov, stratum};
+pub use transcendental::{log, log2, negative_log};
+pub use wide::Wide;
+
+/// The distance from `truth` to `got` in units of the last place of the float nearest
+/// to `truth`; zero counts the smallest normal float as its unit.
+#[must_use]
+pub fn ulp_error(got: f32, truth: f64) -> f64 {
+    if f64::from(got) == truth {
+        return 0.0;
+    }
+    let magnitude = truth.abs().max(f64::from(f32::MIN_POSITIVE));
+    let exponent = (magnitude.to_bits() >> 52) as i32 - 1023;
+    (f64::from(got) - truth).abs() / f64::powi(2.0, exponent - 23)
+}

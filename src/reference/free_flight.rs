@@ -11,11 +11,12 @@
 
 use crate::reference::exponential::{real_exp_wide, real_exp2m1};
 use crate::reference::fixed::mul64;
-use crate::reference::logarithm::{real_complement, real_negative_log};
+use crate::reference::logarithm::real_negative_log;
 use crate::reference::real::{
     Real, real, real_add, real_divide, real_float, real_fraction, real_max, real_multiply,
     real_negate, real_uint, real_zero,
 };
+use crate::reference::real_angle::real_complement;
 
 /// A length and its pdf.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -14,7 +14,7 @@
 
 use crate::reference::elementary::{atan2, sincos_scaled};
 use crate::reference::free_flight::{exponential_fraction, real_positive};
-use crate::reference::logarithm::{real_complement, real_negative_log};
+use crate::reference::logarithm::real_negative_log;
 use crate::reference::normal_quantile::{
     normal_fraction, real_normal_density, real_normal_quantile,
 };
@@ -22,6 +22,7 @@ use crate::reference::real::{
     Real, real, real_add, real_divide, real_float, real_multiply, real_scaled, real_shift,
     real_sqrt, real_square, real_uint,
 };
+use crate::reference::real_angle::real_complement;
 use glam::{UVec2, Vec2, uvec2, vec2};
 
 /// A coordinate and its pdf.

@@ -13,6 +13,7 @@ use crate::reference::fixed::{add64, mul64, mulhi, shr64, sub64};
 use crate::reference::real::{
     Real, real, real_add, real_float, real_multiply, real_negate, real_uint, real_wide,
 };
+use crate::reference::real_angle::real_complement;
 use glam::UVec2;
 
 /// ln x = n ln 2 + (negative ? -1 : 1) * rest * 2^-63.
@@ -147,16 +148,6 @@ pub fn real_log2(x: Real) -> Real {
             negative: rest.m != 0 && part.negative,
         },
     )
-}
-
-/// 1 - u, u a fraction of 2^32, exactly: above 0.
-#[inline]
-#[must_use]
-pub fn real_complement(u: u32) -> Real {
-    if u == 0 {
-        return real_uint(1, 0);
-    }
-    real_uint(0u32.wrapping_sub(u), -32)
 }
 
 /// -ln(1 - u), u a fraction of 2^32: 0 to 32 ln 2, never infinite.

@@ -1,5 +1,5 @@
-//! Free flight, normal distributions and pixel filters: `shaders/kernels/map_line.comp`,
-//! line by line.
+//! Free flight, normal distributions and pixel filters: `map_line.comp`, `map_normal.comp`,
+//! `map_filter.comp` and `map_filter_gaussian.comp` of `shaders/kernels`, line by line.
 
 use crate::catalog::Profile;
 use crate::interface::{MAP_PARAMETERS, map};

@@ -91,6 +91,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "normal-pair",
+        group: Group::Normal,
         id: map::NORMAL_PAIR,
         parameters: &[SIGMA],
         prepare: scales,
@@ -103,6 +104,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "box-muller",
+        group: Group::Normal,
         id: map::BOX_MULLER,
         parameters: &[SIGMA],
         prepare: scales,
@@ -116,6 +118,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "filter-box",
+        group: Group::Filter,
         id: map::FILTER_BOX,
         parameters: &[RADIUS],
         prepare: scales,
@@ -127,6 +130,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "filter-tent",
+        group: Group::Filter,
         id: map::FILTER_TENT,
         parameters: &[RADIUS],
         prepare: scales,
@@ -138,6 +142,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "filter-gaussian",
+        group: Group::GaussianFilter,
         id: map::FILTER_GAUSSIAN,
         parameters: &[
             RADIUS,

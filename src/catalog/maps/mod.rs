@@ -28,3 +28,143 @@ pub enum Group {
     Spherical,
     /// Phase functions and microsurfaces.
     Scattering,
+    /// Free flight, and one normal distribution.
+    Line,
+    /// Two normal distributions.
+    Normal,
+    /// Pixel filters of polynomials.
+    Filter,
+    /// The truncated Gaussian as a pixel filter.
+    GaussianFilter,
+}
+
+impl Group {
+    /// The kernel that maps points in memory.
+    #[must_use]
+    pub fn kernel(self, profile: Profile) -> &'static str {
+        let names = match self {
+            Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
+            Self::Scattering => ["map_scattering", "map_scattering_native"],
+            Self::Spherical => ["map_spherical", "map_spherical_native"],
+            Self::Line => ["map_line", "map_line_native"],
+            Self::Normal => ["map_normal", "map_normal_native"],
+            Self::Filter => ["map_filter", "map_filter_native"],
+            Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
+        };
+        match profile {
+            Profile::Exact => names[0],
+            Profile::Native => names[1],
+        }
+    }
+
+    /// Whether kernels that make points also know these maps.
+    #[must_use]
+    pub fn fused(self) -> bool {
+        self == Self::Hemisphere
+    }
+}
+
+/// A parameter of a map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// Numbers that it consists of.
+    pub size: usize,
+    /// Its value where none is given; `None` where one must be.
+    pub default: Option<&'static [f64]>,
+    /// What it may be, in words: what a refusal states.
+    pub domain: &'static str,
+    /// What it is, with its unit.
+    pub summary: &'static str,
+}
+
+/// The words that a map's functions take, from the numbers of its parameters in order;
+/// or the number of the parameter that is outside its domain.
+pub type Prepare = fn(&[f64]) -> core::result::Result<[f32; MAP_PARAMETERS], usize>;
+
+/// A map of fractions to a sample of a distribution.
+#[derive(Clone, Copy, Debug)]
+pub struct Map {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// The kernel that knows it.
+    pub group: Group,
+    /// Value of the specialization constant `MAP`.
+    pub id: u32,
+    /// Fractions that it takes per sample: 1 to 3.
+    pub dimensions: u32,
+    /// Coordinates of a sample: 1, 2 or, of a direction, 3.
+    pub coordinates: u32,
+    /// Its parameters.
+    pub parameters: &'static [Parameter],
+    /// Checks the parameters, and makes of them what the functions take.
+    pub prepare: Prepare,
+    /// Values of the parameters that checks try: usual ones, and the most extreme.
+    pub examples: &'static [&'static [f64]],
+    /// Measure that the pdf is taken with respect to.
+    pub measure: &'static str,
+    /// The density.
+    pub pdf: &'static str,
+    /// Worst error of a coordinate in the exact profile, in ULP.
+    pub ulp: f64,
+    /// Coordinates below this in magnitude have their error counted in ULP of it: 0 where
+    /// the error is relative, 1 where unit vectors are rotated.
+    pub floor: f64,
+    /// Worst error of the pdf of a sample in the exact profile, in ULP.
+    pub pdf_ulp: f64,
+    /// Worst error of a coordinate in the native profile: absolute, and relative above 1.
+    pub native: f64,
+    /// Worst relative error of the pdf in the native profile.
+    pub native_pdf: f64,
+    /// Where its bits are promised.
+    pub tier: Tier,
+    /// What it is, in a line.
+    pub summary: &'static str,
+    /// The paper.
+    pub source: &'static str,
+}
+
+impl Map {
+    /// The map with this name.
+    ///
+    /// # Errors
+    /// [`Error::UnknownName`], with the nearest name.
+    pub fn from_name(name: &str) -> Result<&'static Self> {
+        maps()
+            .find(|candidate| candidate.name == name)
+            .ok_or_else(|| {
+                let known: Vec<&str> = maps().map(|m| m.name).collect();
+                Error::unknown_name("map", name, &known)
+            })
+    }
+}
+
+/// Two maps of the same name are the same.
+impl PartialEq for Map {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+/// The groups in the order of the documentation.
+const GROUPS: &[&[Map]] = &[
+    hemisphere::MAPS,
+    spherical::MAPS,
+    scattering::MAPS,
+    line::MAPS,
+];
+
+/// Every map.
+pub fn maps() -> impl Iterator<Item = &'static Map> {
+    GROUPS.iter().flat_map(|group| group.iter())
+}
+
+/// Takes no parameters.
+fn none(_: &[f64]) -> core::result::Result<[f32; MAP_PARAMETERS], usize> {
+    Ok([0.0; MAP_PARAMETERS])
+}
+
+/// sin and cos of a device may be off by 2^-11, to which square root and products add
+/// less than 2^-19.
+pub(super) const NATIVE_SINE: f64 = 1.0 / 2048.0 + 1.0 / 524_288.0;

@@ -11,11 +11,10 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
         Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
-<<<<<<< HEAD
-        Group::Line => line(id, mapping.parameters(), [u[0], u[1]]),
-=======
         Group::Scattering => scattering(id, mapping.parameters(), [u[0], u[1]]),
->>>>>>> main
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line(id, mapping.parameters(), [u[0], u[1]])
+        }
     }
 }
 
@@ -34,7 +33,6 @@ fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]
     }
 }
 
-<<<<<<< HEAD
 fn line(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
     let (first, second) = (f64::from(p[0]), f64::from(p[1]));
     let one = |[x, pdf]: [f64; 2]| Some([x, pdf, 0.0, 0.0]);
@@ -52,7 +50,10 @@ fn line(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
         map::FILTER_BOX => product(&|u| judge::line::filter_box(first, u)),
         map::FILTER_TENT => product(&|u| judge::line::filter_tent(first, u)),
         map::FILTER_GAUSSIAN => product(&|u| judge::line::filter_gaussian(first, second, u)),
-=======
+        _ => None,
+    }
+}
+
 /// A cap's normal nearly perpendicular to the view is a small sum of large vectors, whose pdf
 /// has few digits: there nothing is asked.
 const PERPENDICULAR: f64 = 1.0 / 64.0;
@@ -72,7 +73,6 @@ fn scattering(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4
         map::GGX_VNDF_BOUNDED => capped(judge::Ggx::bounded(alpha, wo)),
         map::BECKMANN_NORMAL => Some(judge::beckmann_normal(alpha, u)),
         map::BECKMANN => Some(judge::beckmann(alpha, wo, u)),
->>>>>>> main
         _ => None,
     }
 }

@@ -205,6 +205,12 @@ const MAPPERS: &[Kernel] = &[
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
     maps("map_line", "map_line.comp", MAPPED, Profile::Integer),
     maps("map_line_native", "map_line.comp", MAPPED, Profile::Native),
+    maps("map_normal", "map_normal.comp", MAPPED, Profile::Integer),
+    maps("map_normal_native", "map_normal.comp", MAPPED, Profile::Native),
+    maps("map_filter", "map_filter.comp", MAPPED, Profile::Integer),
+    maps("map_filter_native", "map_filter.comp", MAPPED, Profile::Native),
+    maps("map_filter_gaussian", "map_filter_gaussian.comp", MAPPED, Profile::Integer),
+    maps("map_filter_gaussian_native", "map_filter_gaussian.comp", MAPPED, Profile::Native),
 ];
 
 const MADE: usize = POINT_KERNELS * FAMILIES.len();

@@ -6,13 +6,8 @@ pub mod cone;
 pub mod disk;
 pub mod filter;
 pub mod frame;
-<<<<<<< HEAD
 pub mod free_flight;
 pub mod gaussian;
-pub mod hemisphere;
-pub mod henyey_greenstein;
-pub mod normal_quantile;
-=======
 pub mod ggx;
 pub mod ggx_lobe;
 pub mod ggx_vndf;
@@ -20,7 +15,7 @@ pub mod ggx_vndf_bounded;
 pub mod ggx_vndf_cap;
 pub mod hemisphere;
 pub mod henyey_greenstein;
+pub mod normal_quantile;
 pub mod reflect;
->>>>>>> main
 pub mod scattered;
 pub mod sphere;
