@@ -1,6 +1,7 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
 mod hemisphere;
+mod line;
 mod scattering;
 mod spherical;
 
@@ -14,6 +15,9 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
         Group::Hemisphere => hemisphere::sample(profile, id, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
         Group::Scattering => scattering::sample(profile, id, p, u),
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::sample(profile, id, p, u)
+        }
     }
 }
 
@@ -26,6 +30,9 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
         Group::Scattering => scattering::pdf(profile, id, p, s),
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::pdf(profile, id, p, s)
+        }
     };
     pdf.to_bits()
 }
@@ -39,5 +46,8 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
         Group::Hemisphere => hemisphere::invert(profile, id, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
         Group::Scattering => scattering::invert(profile, id, p, s),
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::invert(profile, id, p, s)
+        }
     }
 }

@@ -8,6 +8,7 @@
 //! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
 
 mod hemisphere;
+mod line;
 mod mapping;
 mod scattering;
 mod spherical;
@@ -27,6 +28,14 @@ pub enum Group {
     Spherical,
     /// Phase functions and microsurfaces.
     Scattering,
+    /// Free flight, and one normal distribution.
+    Line,
+    /// Two normal distributions.
+    Normal,
+    /// Pixel filters of polynomials.
+    Filter,
+    /// The truncated Gaussian as a pixel filter.
+    GaussianFilter,
 }
 
 impl Group {
@@ -37,6 +46,10 @@ impl Group {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
             Self::Scattering => ["map_scattering", "map_scattering_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
+            Self::Line => ["map_line", "map_line_native"],
+            Self::Normal => ["map_normal", "map_normal_native"],
+            Self::Filter => ["map_filter", "map_filter_native"],
+            Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
         };
         match profile {
             Profile::Exact => names[0],
@@ -100,7 +113,7 @@ pub struct Map {
     pub floor: f64,
     /// Worst error of the pdf of a sample in the exact profile, in ULP.
     pub pdf_ulp: f64,
-    /// Worst absolute error of a coordinate in the native profile.
+    /// Worst error of a coordinate in the native profile: absolute, and relative above 1.
     pub native: f64,
     /// Worst relative error of the pdf in the native profile.
     pub native_pdf: f64,
@@ -135,7 +148,12 @@ impl PartialEq for Map {
 }
 
 /// The groups in the order of the documentation.
-const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS, scattering::MAPS];
+const GROUPS: &[&[Map]] = &[
+    hemisphere::MAPS,
+    spherical::MAPS,
+    scattering::MAPS,
+    line::MAPS,
+];
 
 /// Every map.
 pub fn maps() -> impl Iterator<Item = &'static Map> {

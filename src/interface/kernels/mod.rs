@@ -180,6 +180,8 @@ const EVALUATORS: &[Kernel] = &[
     evaluate("evaluate_blue_noise_portable", "evaluate_blue_noise.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_domain", "evaluate_domain.comp", &[], Profile::Integer),
     evaluate("evaluate_domain_portable", "evaluate_domain.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_elementary", "evaluate_elementary.comp", &[], Profile::Integer),
+    evaluate("evaluate_elementary_portable", "evaluate_elementary.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_net", "evaluate_net.comp", &[], Profile::Integer),
     evaluate("evaluate_net_portable", "evaluate_net.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_random", "evaluate_random.comp", &[], Profile::Integer),
@@ -201,6 +203,14 @@ const MAPPERS: &[Kernel] = &[
     maps("map_scattering_native", "map_scattering.comp", MAPPED, Profile::Native),
     maps("map_spherical", "map_spherical.comp", MAPPED, Profile::Integer),
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
+    maps("map_line", "map_line.comp", MAPPED, Profile::Integer),
+    maps("map_line_native", "map_line.comp", MAPPED, Profile::Native),
+    maps("map_normal", "map_normal.comp", MAPPED, Profile::Integer),
+    maps("map_normal_native", "map_normal.comp", MAPPED, Profile::Native),
+    maps("map_filter", "map_filter.comp", MAPPED, Profile::Integer),
+    maps("map_filter_native", "map_filter.comp", MAPPED, Profile::Native),
+    maps("map_filter_gaussian", "map_filter_gaussian.comp", MAPPED, Profile::Integer),
+    maps("map_filter_gaussian_native", "map_filter_gaussian.comp", MAPPED, Profile::Native),
 ];
 
 const MADE: usize = POINT_KERNELS * FAMILIES.len();

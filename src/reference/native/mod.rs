@@ -4,7 +4,10 @@
 pub mod beckmann;
 pub mod cone;
 pub mod disk;
+pub mod filter;
 pub mod frame;
+pub mod free_flight;
+pub mod gaussian;
 pub mod ggx;
 pub mod ggx_lobe;
 pub mod ggx_vndf;
@@ -12,6 +15,7 @@ pub mod ggx_vndf_bounded;
 pub mod ggx_vndf_cap;
 pub mod hemisphere;
 pub mod henyey_greenstein;
+pub mod normal_quantile;
 pub mod reflect;
 pub mod scattered;
 pub mod sphere;
