@@ -48,6 +48,7 @@ pub mod hemisphere;
 pub mod lattice;
 pub mod lattice_vector;
 pub mod logarithm;
+pub mod mis;
 pub mod native;
 pub mod odometer;
 pub mod owen;

@@ -3,6 +3,7 @@
 
 pub mod cone;
 pub mod disk;
+pub mod environment;
 pub mod frame;
 pub mod hemisphere;
 pub mod sphere;
