@@ -257,11 +257,8 @@ vec2 corput_cos_sin(uint u) {
     return vec2(corput_pack(a.cosine, a.cosine_negative), corput_pack(a.sine, a.sine_negative));
 }
 
-// atan(b / a) in turns, as a fraction of 2^32: 0 to 2^29; 0 for a = b = 0.
-// For 0 <= b <= a <= 2^31. Within 1.2 * 2^-32 of a turn.
-uint corput_atan_ratio(uint b, uint a) {
-    uint rho = corput_ratio(b, max(a, 1u)) << 1;
-    uint w = corput_square31(rho);
+// atan(rho) / rho in turns * 2^34, for w = rho^2 as a fraction of 2^32.
+uint corput_atan_polynomial(uint w) {
     uint p = 12939847u - corput_mulhi(w, 1813896u);
     p = 43278767u - corput_mulhi(w, p);
     p = 92489715u - corput_mulhi(w, p);
@@ -272,7 +269,15 @@ uint corput_atan_ratio(uint b, uint a) {
     p = 390556750u - corput_mulhi(w, p);
     p = 546849516u - corput_mulhi(w, p);
     p = 911420312u - corput_mulhi(w, p);
-    p = 2734261102u - corput_mulhi(w, p);
+    return 2734261102u - corput_mulhi(w, p);
+}
+
+// atan(b / a) in turns, as a fraction of 2^32: 0 to 2^29; 0 for a = b = 0.
+// For 0 <= b <= a <= 2^31. Within 1.2 * 2^-32 of a turn.
+uint corput_atan_ratio(uint b, uint a) {
+    uint rho = corput_ratio(b, max(a, 1u)) << 1;
+    uint w = corput_square31(rho);
+    uint p = corput_atan_polynomial(w);
     // rho is at most 2^31, and p a fraction of 2^34.
     return (corput_mulhi(rho, p) + 1u) >> 1;
 }

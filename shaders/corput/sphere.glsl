@@ -20,6 +20,14 @@ uint corput_sphere_fraction(CorputReal a) {
     return corput_real_fraction(corput_real_add(a, corput_real_uint(1u, -33)));
 }
 
+// 1 - u, for a fraction u.
+CorputReal corput_sphere_complement(uint u) {
+    if (u == 0u) {
+        return corput_real_uint(1u, 0);
+    }
+    return corput_real_uint(0u - u, -32);
+}
+
 // 1 - z of a unit vector, given its x^2 + y^2: z alone has no digits of it near +z.
 CorputReal corput_sphere_versine(CorputReal square, CorputReal z) {
     CorputReal one = corput_real_uint(1u, 0);

@@ -396,6 +396,11 @@ pub mod map {
     pub const COSINE_HEMISPHERE: u32 = 3;
     /// Hemisphere, cosine-weighted, polar.
     pub const COSINE_HEMISPHERE_POLAR: u32 = 4;
+
+    /// Sphere.
+    pub const UNIFORM_SPHERE: u32 = 32;
+    /// Cone.
+    pub const CONE: u32 = 33;
 }
 
 /// Values of the constant `KIND` of `pairs`.

@@ -7,10 +7,13 @@
 mod digits;
 mod functions;
 mod maps;
+mod normal;
 pub mod random;
+mod scattering;
 pub mod spherical;
 mod strata;
 mod transcendental;
+mod wide;
 
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
 pub use functions::{
@@ -20,8 +23,11 @@ pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
+pub use normal::{normal_density, normal_quantile, normal_tail};
+pub use scattering::{Ggx, henyey_greenstein, henyey_greenstein_pdf};
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};
+pub use wide::Wide;
 
 /// The distance from `truth` to `got` in units of the last place of the float nearest
 /// to `truth`; zero counts the smallest normal float as its unit.

@@ -336,13 +336,10 @@ pub fn cos_sin(u: u32) -> Vec2 {
     )
 }
 
-/// `atan(b / a)` in turns, as a fraction of 2^32: 0 to 2^29; 0 for a = b = 0.
-/// For `0 <= b <= a <= 2^31`. Within 1.2 * 2^-32 of a turn.
+/// `atan(rho) / rho` in turns * 2^34, for w = rho^2 as a fraction of 2^32.
 #[inline]
 #[must_use]
-pub fn atan_ratio(b: u32, a: u32) -> u32 {
-    let rho = ratio(b, a.max(1)) << 1;
-    let w = square31(rho);
+pub fn atan_polynomial(w: u32) -> u32 {
     let mut p = 12_939_847 - mulhi(w, 1_813_896);
     p = 43_278_767 - mulhi(w, p);
     p = 92_489_715 - mulhi(w, p);
@@ -353,7 +350,17 @@ pub fn atan_ratio(b: u32, a: u32) -> u32 {
     p = 390_556_750 - mulhi(w, p);
     p = 546_849_516 - mulhi(w, p);
     p = 911_420_312 - mulhi(w, p);
-    p = 2_734_261_102 - mulhi(w, p);
+    2_734_261_102 - mulhi(w, p)
+}
+
+/// `atan(b / a)` in turns, as a fraction of 2^32: 0 to 2^29; 0 for a = b = 0.
+/// For `0 <= b <= a <= 2^31`. Within 1.2 * 2^-32 of a turn.
+#[inline]
+#[must_use]
+pub fn atan_ratio(b: u32, a: u32) -> u32 {
+    let rho = ratio(b, a.max(1)) << 1;
+    let w = square31(rho);
+    let p = atan_polynomial(w);
     // rho is at most 2^31, and p a fraction of 2^34.
     (mulhi(rho, p) + 1) >> 1
 }

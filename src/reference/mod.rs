@@ -23,6 +23,8 @@
     reason = "statements and literals read as in the shaders"
 )]
 
+pub mod angle;
+pub mod arc;
 pub mod bits;
 pub mod blue_noise;
 pub mod cone;
@@ -40,16 +42,23 @@ pub mod envmap;
 pub mod exponential;
 pub mod fixed;
 pub mod frame;
+pub mod ggx;
+pub mod ggx_lobe;
+pub mod ggx_vndf;
+pub mod ggx_vndf_bounded;
+pub mod ggx_vndf_cap;
 pub mod halton;
 pub mod halton_scrambled;
 pub mod hammersley;
 pub mod hash;
 pub mod hemisphere;
+pub mod henyey_greenstein;
 pub mod lattice;
 pub mod lattice_vector;
 pub mod logarithm;
 pub mod mis;
 pub mod native;
+pub mod normal_quantile;
 pub mod odometer;
 pub mod owen;
 pub mod permute;
@@ -58,11 +67,15 @@ pub mod primes;
 pub mod radical_inverse;
 pub mod random;
 pub mod real;
+pub mod real_angle;
 pub mod real_vector;
+pub mod scattered;
 pub mod scrambled_radical_inverse;
 pub mod screen_space;
 pub mod sobol;
 pub mod sobol_directions;
 pub mod sphere;
+pub mod spherical_triangle;
 pub mod stratified;
 pub mod unit;
+pub mod wide;

@@ -4,3 +4,5 @@
 mod cone;
 #[path = "solid/tools.rs"]
 mod tools;
+#[path = "solid/triangle.rs"]
+mod triangle;

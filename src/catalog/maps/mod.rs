@@ -9,6 +9,7 @@
 
 mod hemisphere;
 mod mapping;
+mod spherical;
 
 pub use mapping::Mapping;
 
@@ -21,6 +22,8 @@ use crate::{Error, Result};
 pub enum Group {
     /// Disk and hemisphere.
     Hemisphere,
+    /// Uniform directions of solid angles.
+    Spherical,
 }
 
 impl Group {
@@ -29,6 +32,7 @@ impl Group {
     pub fn kernel(self, profile: Profile) -> &'static str {
         let names = match self {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
+            Self::Spherical => ["map_spherical", "map_spherical_native"],
         };
         match profile {
             Profile::Exact => names[0],
@@ -127,7 +131,7 @@ impl PartialEq for Map {
 }
 
 /// The groups in the order of the documentation.
-const GROUPS: &[&[Map]] = &[hemisphere::MAPS];
+const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS];
 
 /// Every map.
 pub fn maps() -> impl Iterator<Item = &'static Map> {

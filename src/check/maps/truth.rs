@@ -1,7 +1,7 @@
 //! The judge's sample of a map.
 
 use crate::catalog::{Group, Mapping};
-use crate::interface::map;
+use crate::interface::{MAP_PARAMETERS, map};
 use crate::judge;
 
 /// Coordinates of the sample and then its pdf, in `f64`; `None` where no judge knows.
@@ -10,6 +10,22 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     let id = mapping.map().id;
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
+        Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
+    }
+}
+
+fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
+    let uniform = |[x, y, z]: [f64; 3], solid_angle: f64| Some([x, y, z, 1.0 / solid_angle]);
+    match id {
+        map::UNIFORM_SPHERE => uniform(
+            judge::spherical::uniform_sphere(u),
+            4.0 * std::f64::consts::PI,
+        ),
+        map::CONE => uniform(
+            judge::spherical::cone(p[0], u),
+            judge::spherical::cone_solid_angle(p[0]),
+        ),
+        _ => None,
     }
 }
 

@@ -6,4 +6,6 @@ pub mod disk;
 pub mod environment;
 pub mod frame;
 pub mod hemisphere;
+pub mod henyey_greenstein;
+pub mod scattered;
 pub mod sphere;

@@ -1,0 +1,91 @@
+//! Arcs between directions, without the differences that cancel in short and long ones.
+//!
+//! Source: the half-angle formulas; |v| - |w| = (v - w).(v + w) / (|v| + |w|). Domain:
+//! vectors of any length, exact floats. Range: cosines and sines of half angles within
+//! 2^-28 of themselves. Tier I.
+//! Mirror: `shaders/corput/arc.glsl`.
+
+use crate::reference::real::{
+    Real, real_add, real_divide, real_multiply, real_negate, real_shift, real_sqrt, real_uint,
+};
+use crate::reference::real_vector::{
+    Real3, real3_add, real3_dot, real3_length, real3_scale, real3_subtract,
+};
+use crate::reference::wide::wide_cross;
+
+/// Half the angle between two vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    pub cosine: Real,
+    pub sine: Real,
+}
+
+/// A vector with the other sign if so told.
+#[inline]
+#[must_use]
+pub fn real3_signed(v: Real3, negative: bool) -> Real3 {
+    if !negative {
+        return v;
+    }
+    Real3 {
+        x: real_negate(v.x),
+        y: real_negate(v.y),
+        z: real_negate(v.z),
+    }
+}
+
+/// v x + w y.
+#[inline]
+#[must_use]
+pub fn real3_combine(v: Real3, x: Real, w: Real3, y: Real) -> Real3 {
+    real3_add(real3_scale(v, x), real3_scale(w, y))
+}
+
+/// The arc between two vectors of any length.
+#[inline]
+#[must_use]
+pub fn arc(a: Real3, b: Real3) -> Arc {
+    let product = real_multiply(real3_length(a), real3_length(b));
+    let cosine = real3_dot(a, b);
+    let normal = wide_cross(a, b);
+    // The sum that does not cancel, and the other one by the vector product.
+    let large = real_add(
+        product,
+        Real {
+            m: cosine.m,
+            e: cosine.e,
+            negative: false,
+        },
+    );
+    let small = real_divide(real3_dot(normal, normal), large);
+    let twice = real_shift(product, 1);
+    let far = real_sqrt(real_divide(large, twice));
+    let near = real_sqrt(real_divide(small, twice));
+    if cosine.negative {
+        return Arc {
+            cosine: near,
+            sine: far,
+        };
+    }
+    Arc {
+        cosine: far,
+        sine: near,
+    }
+}
+
+/// a / |a| + b / |b|, each component within 2^-28 of the length of the sum.
+#[inline]
+#[must_use]
+pub fn arc_sum(a: Real3, b: Real3) -> Real3 {
+    let a_length = real3_length(a);
+    let b_length = real3_length(b);
+    let sum = real3_add(a, b);
+    let difference = real3_subtract(a, b);
+    // |a| - |b|, without a difference of roots.
+    let excess = real_divide(real3_dot(sum, difference), real_add(a_length, b_length));
+    let both = real3_add(real3_scale(sum, b_length), real3_scale(b, excess));
+    real3_scale(
+        both,
+        real_divide(real_uint(1, 0), real_multiply(a_length, b_length)),
+    )
+}
