@@ -1,5 +1,6 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
+mod environment;
 mod hemisphere;
 mod spherical;
 
@@ -12,6 +13,7 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
+        Group::Environment => environment::sample(mapping, profile, u),
     }
 }
 
@@ -23,6 +25,7 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
     let pdf = match mapping.map().group {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
+        Group::Environment => environment::pdf(mapping, profile, s),
     };
     pdf.to_bits()
 }
@@ -35,5 +38,6 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
+        Group::Environment => environment::invert(mapping, s),
     }
 }

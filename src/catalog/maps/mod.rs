@@ -7,6 +7,7 @@
 //! `bulk/maps` with the three functions over the twins, and one in `judge` that
 //! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
 
+mod environment;
 mod hemisphere;
 mod mapping;
 mod spherical;
@@ -24,6 +25,8 @@ pub enum Group {
     Hemisphere,
     /// Uniform directions of solid angles.
     Spherical,
+    /// Environment maps.
+    Environment,
 }
 
 impl Group {
@@ -33,6 +36,7 @@ impl Group {
         let names = match self {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
+            Self::Environment => ["map_environment", "map_environment_native"],
         };
         match profile {
             Profile::Exact => names[0],
@@ -131,7 +135,7 @@ impl PartialEq for Map {
 }
 
 /// The groups in the order of the documentation.
-const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS];
+const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS, environment::MAPS];
 
 /// Every map.
 pub fn maps() -> impl Iterator<Item = &'static Map> {
