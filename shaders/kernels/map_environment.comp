@@ -7,8 +7,12 @@
 // Words of the first.
 const uint TABLE_WORDS = 0x2000000u;
 
+// Without branches, of which some drivers make a copy of all that follows.
 uint table_word(uint i) {
-    return i < TABLE_WORDS ? tables[i] : more_tables[i - TABLE_WORDS];
+    uint more = 0u - min(i / TABLE_WORDS, 1u);
+    uint low = tables[i & ~more];
+    uint high = more_tables[(i - TABLE_WORDS) & more];
+    return (low & ~more) | (high & more);
 }
 #define CORPUT_DISCRETE(i) table_word(i)
 #ifdef KERNEL_NATIVE
