@@ -405,6 +405,21 @@ pub mod map {
     /// Cone.
     pub const CONE: u32 = 33;
 
+    /// Henyey and Greenstein's phase function.
+    pub const HENYEY_GREENSTEIN: u32 = 64;
+    /// GGX, reflection at visible normals.
+    pub const GGX_VNDF: u32 = 65;
+    /// GGX, visible normals.
+    pub const GGX_VNDF_NORMAL: u32 = 66;
+    /// GGX, reflection by spherical caps.
+    pub const GGX_VNDF_CAP: u32 = 67;
+    /// GGX, reflection by bounded caps.
+    pub const GGX_VNDF_BOUNDED: u32 = 68;
+    /// Beckmann, normals.
+    pub const BECKMANN_NORMAL: u32 = 69;
+    /// Beckmann, reflection.
+    pub const BECKMANN: u32 = 70;
+
     /// Environment map, hierarchical.
     pub const ENVIRONMENT: u32 = 128;
     /// Environment map, by an alias table.

@@ -2,6 +2,7 @@
 //! 106 bits, where what cancels does no harm.
 
 use super::functions::sin_cos;
+use super::transcendental::negative_log;
 use super::wide::Wide;
 
 /// A vector.
@@ -299,6 +300,33 @@ impl Ggx {
         let tan = (x * x + y * y) / (z * z);
         wide(0.5) * ((wide(1.0) + tan).sqrt() - wide(1.0))
     }
+}
+
+/// A Beckmann normal by its angles, and D cos there (Walter et al. 2007, eq. 25, 28, 29, with
+/// one roughness for each axis).
+#[must_use]
+pub fn beckmann_normal(alpha: [f32; 2], u: [u32; 2]) -> [f64; 4] {
+    let [a, b] = alpha.map(f64::from);
+    let (s, c) = sin_cos(u[1]);
+    let phi = (b * s).atan2(a * c);
+    let square = negative_log(u[0]);
+    let tangent = square.sqrt() * (a * c).hypot(b * s);
+    let cosine = 1.0 / 1f64.hypot(tangent);
+    let sine = tangent * cosine;
+    let [x, y] = [phi.cos(), phi.sin()];
+    let inside = tangent.powi(2) * ((x / a).powi(2) + (y / b).powi(2));
+    let pdf = (-inside).exp() / (std::f64::consts::PI * a * b * cosine.powi(3));
+    [sine * x, sine * y, cosine, pdf]
+}
+
+/// wo reflected at the same normal, and D cos / (4 |wo.h|).
+#[must_use]
+pub fn beckmann(alpha: [f32; 2], wo: [f32; 3], u: [u32; 2]) -> [f64; 4] {
+    let [x, y, z, pdf] = beckmann_normal(alpha, u);
+    let (h, o) = ([x, y, z].map(Wide::from), normalized(wo.map(Wide::from)));
+    let cosine = dot(o, h);
+    let wi = sum(scale(h, wide(2.0) * cosine), scale(o, wide(-1.0)));
+    result(wi, wide(pdf / (4.0 * cosine.value().abs())))
 }
 
 /// The angle of (x, y) as a fraction of a turn in [0, 1).

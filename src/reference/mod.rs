@@ -25,6 +25,7 @@
 
 pub mod angle;
 pub mod arc;
+pub mod beckmann;
 pub mod bits;
 pub mod blue_noise;
 pub mod cone;
@@ -69,6 +70,7 @@ pub mod random;
 pub mod real;
 pub mod real_angle;
 pub mod real_vector;
+pub mod reflect;
 pub mod scattered;
 pub mod scrambled_radical_inverse;
 pub mod screen_space;

@@ -5,8 +5,7 @@
 //         1 - 2^-24 of its sign. Or 1 - |g|: from 2^-60 to 1.
 // range:  unit vectors to the device's precision.
 // pdf:    with respect to solid angle.
-// errors: Vulkan allows sin and cos an absolute error of 2^-11; z and the pdf 2^-19 of
-//         themselves, or of 1.
+// errors: x, y, z and the pdf about 2^-20 of themselves, or of 1.
 // cost:   60 float instructions.
 // hooks:  none.
 // mirror: src/reference/native/henyey_greenstein.rs

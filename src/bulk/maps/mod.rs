@@ -2,6 +2,7 @@
 
 mod environment;
 mod hemisphere;
+mod scattering;
 mod spherical;
 
 use crate::catalog::{Group, Mapping, Profile};
@@ -13,6 +14,7 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
+        Group::Scattering => scattering::sample(profile, id, p, u),
         Group::Environment => environment::sample(mapping, profile, u),
     }
 }
@@ -25,6 +27,7 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
     let pdf = match mapping.map().group {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
+        Group::Scattering => scattering::pdf(profile, id, p, s),
         Group::Environment => environment::pdf(mapping, profile, s),
     };
     pdf.to_bits()
@@ -38,6 +41,7 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
+        Group::Scattering => scattering::invert(profile, id, p, s),
         Group::Environment => environment::invert(mapping, s),
     }
 }

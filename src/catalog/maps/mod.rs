@@ -10,6 +10,7 @@
 mod environment;
 mod hemisphere;
 mod mapping;
+mod scattering;
 mod spherical;
 
 pub use mapping::Mapping;
@@ -25,6 +26,8 @@ pub enum Group {
     Hemisphere,
     /// Uniform directions of solid angles.
     Spherical,
+    /// Phase functions and microsurfaces.
+    Scattering,
     /// Environment maps.
     Environment,
 }
@@ -35,6 +38,7 @@ impl Group {
     pub fn kernel(self, profile: Profile) -> &'static str {
         let names = match self {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
+            Self::Scattering => ["map_scattering", "map_scattering_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
             Self::Environment => ["map_environment", "map_environment_native"],
         };
@@ -135,7 +139,12 @@ impl PartialEq for Map {
 }
 
 /// The groups in the order of the documentation.
-const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS, environment::MAPS];
+const GROUPS: &[&[Map]] = &[
+    hemisphere::MAPS,
+    spherical::MAPS,
+    scattering::MAPS,
+    environment::MAPS,
+];
 
 /// Every map.
 pub fn maps() -> impl Iterator<Item = &'static Map> {

@@ -12,6 +12,7 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
         Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
+        Group::Scattering => scattering(id, mapping.parameters(), [u[0], u[1]]),
         Group::Environment => environment(mapping, u),
     }
 }
@@ -38,6 +39,29 @@ fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]
             judge::spherical::cone(p[0], u),
             judge::spherical::cone_solid_angle(p[0]),
         ),
+        _ => None,
+    }
+}
+
+/// A cap's normal nearly perpendicular to the view is a small sum of large vectors, whose pdf
+/// has few digits: there nothing is asked.
+const PERPENDICULAR: f64 = 1.0 / 64.0;
+
+fn scattering(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
+    let (alpha, wo) = ([p[0], p[1]], [p[2], p[3], p[4]]);
+    let capped = |lobe: judge::Ggx| {
+        let sample = lobe.vndf_cap(u);
+        let [x, y, z, _] = sample;
+        (lobe.sphere_cosine([x, y, z]) >= PERPENDICULAR).then_some(sample)
+    };
+    match id {
+        map::HENYEY_GREENSTEIN => Some(judge::henyey_greenstein(p[0], p[1] > 0.0, u)),
+        map::GGX_VNDF => Some(judge::Ggx::new(alpha, wo).vndf(u)),
+        map::GGX_VNDF_NORMAL => Some(judge::Ggx::new(alpha, wo).normal(u)),
+        map::GGX_VNDF_CAP => capped(judge::Ggx::new(alpha, wo)),
+        map::GGX_VNDF_BOUNDED => capped(judge::Ggx::bounded(alpha, wo)),
+        map::BECKMANN_NORMAL => Some(judge::beckmann_normal(alpha, u)),
+        map::BECKMANN => Some(judge::beckmann(alpha, wo, u)),
         _ => None,
     }
 }

@@ -216,6 +216,8 @@ const TABLED: &[Binding] = &[
 const MAPPERS: &[Kernel] = &[
     maps("map_hemisphere", "map_hemisphere.comp", MAPPED, Profile::Integer),
     maps("map_hemisphere_native", "map_hemisphere.comp", MAPPED, Profile::Native),
+    maps("map_scattering", "map_scattering.comp", MAPPED, Profile::Integer),
+    maps("map_scattering_native", "map_scattering.comp", MAPPED, Profile::Native),
     maps("map_spherical", "map_spherical.comp", MAPPED, Profile::Integer),
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
     maps("map_environment", "map_environment.comp", TABLED, Profile::Integer),

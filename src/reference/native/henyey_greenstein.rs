@@ -4,8 +4,8 @@
 //! Source: as henyey_greenstein.glsl: sums of positive terms. Domain: two fractions of
 //! 2^32; z grows with u.x. g in (-1, 1): what is beyond counts as 1 - 2^-24 of its sign.
 //! Or 1 - |g|: from 2^-60 to 1. Range: unit vectors to the device's precision. Pdf: with
-//! respect to solid angle. Errors: Vulkan allows sin and cos an absolute error of 2^-11;
-//! z and the pdf 2^-19 of themselves, or of 1.
+//! respect to solid angle. Errors: x, y, z and the pdf about 2^-20 of themselves, or of
+//! 1.
 //! Mirror: `shaders/corput/native/henyey_greenstein.glsl`.
 
 use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
