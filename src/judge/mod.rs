@@ -5,6 +5,7 @@
 //! ULP figure by less than 2^-28.
 
 mod digits;
+pub mod environment;
 mod functions;
 pub mod line;
 mod maps;

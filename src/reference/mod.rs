@@ -60,6 +60,7 @@ pub mod henyey_greenstein;
 pub mod lattice;
 pub mod lattice_vector;
 pub mod logarithm;
+pub mod mis;
 pub mod native;
 pub mod normal_quantile;
 pub mod odometer;

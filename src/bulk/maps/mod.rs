@@ -1,5 +1,6 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
+mod environment;
 mod hemisphere;
 mod line;
 mod scattering;
@@ -18,6 +19,7 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::sample(profile, id, p, u)
         }
+        Group::Environment => environment::sample(mapping, profile, u),
     }
 }
 
@@ -33,6 +35,7 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::pdf(profile, id, p, s)
         }
+        Group::Environment => environment::pdf(mapping, profile, s),
     };
     pdf.to_bits()
 }
@@ -49,5 +52,6 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::invert(profile, id, p, s)
         }
+        Group::Environment => environment::invert(mapping, s),
     }
 }

@@ -7,6 +7,7 @@
 //! `bulk/maps` with the three functions over the twins, and one in `judge` that
 //! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
 
+mod environment;
 mod hemisphere;
 mod line;
 mod mapping;
@@ -36,6 +37,8 @@ pub enum Group {
     Filter,
     /// The truncated Gaussian as a pixel filter.
     GaussianFilter,
+    /// Environment maps.
+    Environment,
 }
 
 impl Group {
@@ -50,6 +53,7 @@ impl Group {
             Self::Normal => ["map_normal", "map_normal_native"],
             Self::Filter => ["map_filter", "map_filter_native"],
             Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
+            Self::Environment => ["map_environment", "map_environment_native"],
         };
         match profile {
             Profile::Exact => names[0],
@@ -153,6 +157,7 @@ const GROUPS: &[&[Map]] = &[
     spherical::MAPS,
     scattering::MAPS,
     line::MAPS,
+    environment::MAPS,
 ];
 
 /// Every map.

@@ -3,6 +3,7 @@
 use crate::catalog::{Group, Mapping};
 use crate::interface::{MAP_PARAMETERS, map};
 use crate::judge;
+use crate::judge::environment::EnvironmentTables;
 
 /// Coordinates of the sample and then its pdf, in `f64`; `None` where no judge knows.
 #[must_use]
@@ -15,7 +16,19 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line(id, mapping.parameters(), [u[0], u[1]])
         }
+        Group::Environment => environment(mapping, u),
     }
+}
+
+fn environment(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
+    let [width, height, ..] = mapping.words();
+    let tables = EnvironmentTables {
+        width,
+        height,
+        alias: mapping.map().id == map::ENVIRONMENT_ALIAS,
+        words: mapping.tables().first()?,
+    };
+    Some(tables.sample(u))
 }
 
 fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {

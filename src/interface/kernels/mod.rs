@@ -194,6 +194,25 @@ const EVALUATORS: &[Kernel] = &[
 
 const MAPPED: &[Binding] = &[RESULTS, POINTS];
 
+/// Tables follow the points, in two buffers of at most
+/// [`TABLE_WORDS`](super::TABLE_WORDS) words.
+const TABLED: &[Binding] = &[
+    RESULTS,
+    POINTS,
+    Binding {
+        binding: 2,
+        name: "tables",
+        element: Element::Uint,
+        input: true,
+    },
+    Binding {
+        binding: 3,
+        name: "more_tables",
+        element: Element::Uint,
+        input: true,
+    },
+];
+
 /// The maps, by group, in both profiles.
 #[rustfmt::skip]
 const MAPPERS: &[Kernel] = &[
@@ -211,6 +230,8 @@ const MAPPERS: &[Kernel] = &[
     maps("map_filter_native", "map_filter.comp", MAPPED, Profile::Native),
     maps("map_filter_gaussian", "map_filter_gaussian.comp", MAPPED, Profile::Integer),
     maps("map_filter_gaussian_native", "map_filter_gaussian.comp", MAPPED, Profile::Native),
+    maps("map_environment", "map_environment.comp", TABLED, Profile::Integer),
+    maps("map_environment_native", "map_environment.comp", TABLED, Profile::Native),
 ];
 
 const MADE: usize = POINT_KERNELS * FAMILIES.len();
