@@ -13,7 +13,9 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
-        Group::Scattering => scattering::sample(profile, id, p, u),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::sample(profile, id, p, u)
+        }
     }
 }
 
@@ -25,7 +27,9 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
     let pdf = match mapping.map().group {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
-        Group::Scattering => scattering::pdf(profile, id, p, s),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::pdf(profile, id, p, s)
+        }
     };
     pdf.to_bits()
 }
@@ -38,6 +42,8 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
-        Group::Scattering => scattering::invert(profile, id, p, s),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::invert(profile, id, p, s)
+        }
     }
 }
