@@ -27,8 +27,6 @@ pub enum Group {
     Hemisphere,
     /// Uniform directions of solid angles.
     Spherical,
-    /// Phase functions and microsurfaces.
-    Scattering,
     /// Free flight, and one normal distribution.
     Line,
     /// Two normal distributions.
@@ -39,6 +37,14 @@ pub enum Group {
     GaussianFilter,
     /// Environment maps.
     Environment,
+    /// Phase functions.
+    Phase,
+    /// Visible normals of GGX by a disk.
+    Ggx,
+    /// Visible normals of GGX by spherical caps.
+    GgxCap,
+    /// Microsurfaces of Beckmann.
+    Beckmann,
 }
 
 impl Group {
@@ -47,7 +53,10 @@ impl Group {
     pub fn kernel(self, profile: Profile) -> &'static str {
         let names = match self {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
-            Self::Scattering => ["map_scattering", "map_scattering_native"],
+            Self::Phase => ["map_phase", "map_phase_native"],
+            Self::Ggx => ["map_ggx", "map_ggx_native"],
+            Self::GgxCap => ["map_ggx_cap", "map_ggx_cap_native"],
+            Self::Beckmann => ["map_beckmann", "map_beckmann_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
             Self::Line => ["map_line", "map_line_native"],
             Self::Normal => ["map_normal", "map_normal_native"],

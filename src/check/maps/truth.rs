@@ -12,11 +12,13 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
         Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
-        Group::Scattering => scattering(id, mapping.parameters(), [u[0], u[1]]),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line(id, mapping.parameters(), [u[0], u[1]])
         }
         Group::Environment => environment(mapping, u),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering(id, mapping.parameters(), [u[0], u[1]])
+        }
     }
 }
 

@@ -216,10 +216,16 @@ const TABLED: &[Binding] = &[
 /// The maps, by group, in both profiles.
 #[rustfmt::skip]
 const MAPPERS: &[Kernel] = &[
+    maps("map_beckmann", "map_beckmann.comp", MAPPED, Profile::Integer),
+    maps("map_beckmann_native", "map_beckmann.comp", MAPPED, Profile::Native),
+    maps("map_ggx", "map_ggx.comp", MAPPED, Profile::Integer),
+    maps("map_ggx_native", "map_ggx.comp", MAPPED, Profile::Native),
+    maps("map_ggx_cap", "map_ggx_cap.comp", MAPPED, Profile::Integer),
+    maps("map_ggx_cap_native", "map_ggx_cap.comp", MAPPED, Profile::Native),
     maps("map_hemisphere", "map_hemisphere.comp", MAPPED, Profile::Integer),
     maps("map_hemisphere_native", "map_hemisphere.comp", MAPPED, Profile::Native),
-    maps("map_scattering", "map_scattering.comp", MAPPED, Profile::Integer),
-    maps("map_scattering_native", "map_scattering.comp", MAPPED, Profile::Native),
+    maps("map_phase", "map_phase.comp", MAPPED, Profile::Integer),
+    maps("map_phase_native", "map_phase.comp", MAPPED, Profile::Native),
     maps("map_spherical", "map_spherical.comp", MAPPED, Profile::Integer),
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
     maps("map_line", "map_line.comp", MAPPED, Profile::Integer),

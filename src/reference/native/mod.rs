@@ -4,8 +4,8 @@
 pub mod beckmann;
 pub mod cone;
 pub mod disk;
-pub mod filter;
 pub mod environment;
+pub mod filter;
 pub mod frame;
 pub mod free_flight;
 pub mod gaussian;
