@@ -6,9 +6,11 @@
 
 mod digits;
 mod functions;
+pub mod lights;
 mod maps;
 pub mod random;
 pub mod spherical;
+pub mod spherical_triangle;
 mod strata;
 mod transcendental;
 

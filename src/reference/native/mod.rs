@@ -3,6 +3,10 @@
 
 pub mod cone;
 pub mod disk;
+pub mod disk_light;
 pub mod frame;
 pub mod hemisphere;
 pub mod sphere;
+pub mod sphere_light;
+pub mod spherical_rectangle;
+pub mod spherical_triangle;
