@@ -45,7 +45,23 @@ def quantile(q):
     return findroot(lambda z: log(tail(z) / q), start)
 
 
+def centre(w):
+    """z / (2 x), x = 1/2 - tail(z), w = 8 x^2."""
+    x = sqrt(w / 8)
+    return quantile(mpf(1) / 2 - x) / (2 * x) if w > mpf(10) ** -30 else sqrt(pi / 2)
+
+
 if __name__ == "__main__":
     root = sqrt(mpf(1) / 2)
     fit("ln(1 + f) / f, f in [sqrt(1/2) - 1, sqrt(2) - 1]", log1p_over, root - 1, 2 * root - 1, 12, (31, 32), True)
     fit("(2^r - 1) / r, r in [0, 1]", exp2m1_over, mpf(0), mpf(1), 7, 32)
+    fit("z / (2 x) by 8 x^2 in [0, 1], x = 1/2 - q", centre, mpf(0), mpf(1), 11, 31)
+    for low, scale, high, bits, degree in ((1.9375, 2, 3.75, 30, 11), (3.75, 4, 6.8125, 29, 10)):
+        low = mpf(low)
+        fit(f"z by (t - {low}) / {scale}, t = sqrt(-2 ln q) from {low} to {high}",
+            lambda s: quantile(exp(-((low + s * scale) ** 2) / 2)),
+            mpf(0), (high - low) / scale, degree, (bits, bits - 1))
+    fit("(1/2 - q) / z by z^2 / 2 in [0, 1]", lambda w: (mpf(1) / 2 - tail(sqrt(2 * w))) / sqrt(2 * w) if w > 0 else npdf(0),
+        mpf(0), mpf(1), 7, 32, True)
+    fit("q e^(z^2 / 2) by 4 / (4 + z), z from 1.4 to 7", lambda u: tail(4 / u - 4) * exp((4 / u - 4) ** 2 / 2),
+        mpf(4) / 11, mpf(4) / mpf("5.4"), 8, 32)

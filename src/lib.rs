@@ -8,6 +8,7 @@
 //! - [`mod@reference`]: its twin in Rust, function by function.
 //! - [`catalog::Request`]: a checked description of points; [`bulk::Reference`] makes them
 //!   on the CPU, `kernels::Generator` on a device.
+//! - [`mod@environment`]: environment maps as distributions of directions.
 //! - [`blue_noise`]: dither masks and point sets that are made once.
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
@@ -40,6 +41,7 @@ pub mod check;
 pub mod compile;
 #[cfg(all(feature = "gpu", feature = "images"))]
 pub mod demo;
+pub mod environment;
 pub mod error;
 #[cfg(feature = "images")]
 pub mod image;

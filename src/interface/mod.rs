@@ -396,6 +396,34 @@ pub mod map {
     pub const COSINE_HEMISPHERE: u32 = 3;
     /// Hemisphere, cosine-weighted, polar.
     pub const COSINE_HEMISPHERE_POLAR: u32 = 4;
+
+    /// Sphere.
+    pub const UNIFORM_SPHERE: u32 = 32;
+    /// Cone.
+    pub const CONE: u32 = 33;
+    /// Spherical triangle.
+    pub const SPHERICAL_TRIANGLE: u32 = 34;
+    /// Spherical rectangle.
+    pub const SPHERICAL_RECTANGLE: u32 = 35;
+    /// Sphere seen from outside or within.
+    pub const SPHERE_LIGHT: u32 = 36;
+    /// Disk, by its area.
+    pub const DISK_LIGHT: u32 = 37;
+
+    /// Henyey and Greenstein's phase function.
+    pub const HENYEY_GREENSTEIN: u32 = 64;
+    /// GGX, reflection at visible normals.
+    pub const GGX_VNDF: u32 = 65;
+    /// GGX, visible normals.
+    pub const GGX_VNDF_NORMAL: u32 = 66;
+    /// GGX, reflection by spherical caps.
+    pub const GGX_VNDF_CAP: u32 = 67;
+    /// GGX, reflection by bounded caps.
+    pub const GGX_VNDF_BOUNDED: u32 = 68;
+    /// Beckmann, normals.
+    pub const BECKMANN_NORMAL: u32 = 69;
+    /// Beckmann, reflection.
+    pub const BECKMANN: u32 = 70;
 }
 
 /// Values of the constant `KIND` of `pairs`.

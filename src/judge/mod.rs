@@ -8,11 +8,14 @@ mod digits;
 mod functions;
 pub mod lights;
 mod maps;
+mod normal;
 pub mod random;
+mod scattering;
 pub mod spherical;
 pub mod spherical_triangle;
 mod strata;
 mod transcendental;
+mod wide;
 
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
 pub use functions::{
@@ -22,8 +25,11 @@ pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
+pub use normal::{normal_density, normal_quantile, normal_tail};
+pub use scattering::{Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_pdf};
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};
+pub use wide::Wide;
 
 /// The distance from `truth` to `got` in units of the last place of the float nearest
 /// to `truth`; zero counts the smallest normal float as its unit.

@@ -15,6 +15,7 @@ const LEVELS: [&[&str]; 7] = [
         "reference",
         "judge",
         "blue_noise",
+        "environment",
         "irradiance",
         "spirv",
         "vulkan",

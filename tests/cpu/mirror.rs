@@ -72,6 +72,133 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
             ("&[f32]", "edges"),
         ],
     ),
+    // CORPUT_DISCRETE(i) reads what the twins get as a slice.
+    (
+        "cdf_lower",
+        &[("u32", "first"), ("u32", "index"), ("&[u32]", "words")],
+    ),
+    (
+        "cdf_weight",
+        &[("u32", "first"), ("u32", "index"), ("&[u32]", "words")],
+    ),
+    (
+        "cdf",
+        &[("u32", "first"), ("u32", "u"), ("&[u32]", "words")],
+    ),
+    (
+        "cdf_invert",
+        &[
+            ("u32", "first"),
+            ("u32", "index"),
+            ("u32", "rest"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "alias_index",
+        &[
+            ("u32", "first"),
+            ("u32", "count"),
+            ("u32", "u"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "alias_rest",
+        &[
+            ("u32", "first"),
+            ("u32", "count"),
+            ("UVec2", "u"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "alias_weight",
+        &[("u32", "first"), ("u32", "index"), ("&[u32]", "words")],
+    ),
+    (
+        "environment_cap",
+        &[("UVec2", "size"), ("u32", "row"), ("&[u32]", "words")],
+    ),
+    (
+        "environment_z",
+        &[
+            ("UVec2", "size"),
+            ("u32", "row"),
+            ("f32", "z"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "environment_direction",
+        &[
+            ("UVec2", "size"),
+            ("UVec2", "texel"),
+            ("UVec2", "place"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "environment_density",
+        &[
+            ("UVec2", "size"),
+            ("u32", "row"),
+            ("Real", "probability"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "environment_texel_pdf",
+        &[("UVec2", "size"), ("UVec2", "texel"), ("&[u32]", "words")],
+    ),
+    (
+        "environment",
+        &[("UVec2", "size"), ("UVec2", "u"), ("&[u32]", "words")],
+    ),
+    (
+        "environment_pdf",
+        &[
+            ("UVec2", "size"),
+            ("Vec3", "direction"),
+            ("&[f32]", "edges"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "environment_place",
+        &[
+            ("UVec2", "size"),
+            ("Vec3", "direction"),
+            ("UVec2", "texel"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "environment_invert",
+        &[
+            ("UVec2", "size"),
+            ("Vec3", "direction"),
+            ("&[f32]", "edges"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "environment_alias_texel_pdf",
+        &[("UVec2", "size"), ("UVec2", "texel"), ("&[u32]", "words")],
+    ),
+    (
+        "environment_alias",
+        &[("UVec2", "size"), ("UVec3", "u"), ("&[u32]", "words")],
+    ),
+    (
+        "environment_alias_pdf",
+        &[
+            ("UVec2", "size"),
+            ("Vec3", "direction"),
+            ("&[f32]", "edges"),
+            ("&[u32]", "words"),
+        ],
+    ),
 ];
 
 /// Modules that a twin may use besides those of its header's includes.

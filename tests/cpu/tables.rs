@@ -6,11 +6,16 @@ use corput::tables::{
 
 /// A committed header against the text that a table generates.
 fn compare(name: &str, generated: &str) {
-    let path = format!("{}/shaders/corput/{name}.glsl", env!("CARGO_MANIFEST_DIR"));
+    compare_file(&format!("shaders/corput/{name}.glsl"), generated);
+}
+
+/// A committed file against what is generated.
+fn compare_file(name: &str, generated: &str) {
+    let path = format!("{}/{name}", env!("CARGO_MANIFEST_DIR"));
     if std::env::var_os("CORPUT_WRITE_TABLES").is_some() {
         std::fs::write(&path, generated).expect("the table is written");
     }
-    let committed = std::fs::read_to_string(&path).expect("the header is there");
+    let committed = std::fs::read_to_string(&path).expect("the file is there");
     assert!(
         committed == generated,
         "{name}: run `CORPUT_WRITE_TABLES=1 cargo test --test tables`"
@@ -56,32 +61,97 @@ fn primes_are_the_first_1024() {
     assert_eq!(nearest_prime(u64::MAX), 8161);
 }
 
-/// A map's bound, pdf and measure stand in the catalogue, in the row of its function and
-/// in the README: one change must not leave the others behind.
+/// The maps that kernels of points know are functions of the catalogue as well.
 #[test]
-fn maps_agree_with_their_functions_and_the_readme() {
+fn maps_agree_with_their_functions() {
     use corput::catalog::{FUNCTIONS, maps};
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
-    let readme = std::fs::read_to_string(path).expect("the README is there");
     for map in maps() {
         let function = map.name.replace('-', "_");
         let row = FUNCTIONS.iter().find(|row| row.name == function);
-        // The maps that kernels of points know are functions of the catalogue as well.
         assert_eq!(row.is_some(), map.group.fused(), "{function}");
         if let Some(row) = row {
             assert_eq!(row.bound, Some(map.ulp), "{function}");
             assert_eq!(row.tier, map.tier, "{function}");
         }
-        let line = format!(
-            "| `{}` | {} | {} | {} | {} |",
-            map.name,
-            map.pdf,
-            map.measure,
-            map.ulp,
-            map.tier.letter()
-        );
-        assert!(readme.contains(&line), "the README lacks: {line}");
     }
+}
+
+/// The page of the maps is that of the catalogue, and the README names each of them.
+#[test]
+fn the_page_of_the_maps_is_generated() {
+    use corput::catalog::maps;
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+    let readme = std::fs::read_to_string(path).expect("the README is there");
+    let mut page = String::from(MAPS_HEAD);
+    for map in maps() {
+        assert!(
+            readme.contains(&format!("`{}`", map.name)),
+            "the README lacks {}",
+            map.name
+        );
+        page += &format!("\n## {}\n\n{}.\n\n", map.name, sentence(map.summary));
+        for parameter in map.parameters {
+            let default = parameter.default.map_or(String::new(), |numbers| {
+                let numbers: Vec<String> = numbers.iter().map(f64::to_string).collect();
+                format!("; {} by default", numbers.join(","))
+            });
+            let (name, size) = (parameter.name, parameter.size);
+            let numbers = if size == 1 {
+                String::new()
+            } else {
+                format!(" ({size} numbers)")
+            };
+            page += &format!(
+                "- `{name}`{numbers}: {}; {}{default}.\n",
+                parameter.summary, parameter.domain
+            );
+        }
+        let coordinates = ["x", "x, y", "x, y, z"][map.coordinates as usize - 1];
+        let dimensions = if map.dimensions == 1 {
+            "dimension"
+        } else {
+            "dimensions"
+        };
+        page += &format!(
+            "- takes {} {dimensions}, makes {coordinates}\n",
+            map.dimensions
+        );
+        page += &format!("- pdf: {}, with respect to {}\n", map.pdf, map.measure);
+        let counted = if map.floor == 0.0 {
+            String::new()
+        } else {
+            format!(" of coordinates from {} on, and of that below", map.floor)
+        };
+        page += &format!(
+            "- errors: exact (tier {}) {} ULP{counted}, pdf {} ULP; native {:.1e}, pdf {:.1e} of itself\n",
+            map.tier.letter(),
+            map.ulp,
+            map.pdf_ulp,
+            map.native,
+            map.native_pdf
+        );
+        page += &format!("- source: {}\n", map.source);
+    }
+    compare_file("docs/maps.md", &page);
+}
+
+/// What stands above the list of maps.
+const MAPS_HEAD: &str = "# Maps
+
+Each map takes fractions of 2^32 to a sample of a distribution: `corput generate SEQUENCE --map NAME
+--param NAME=X`. In GLSL a map `some-name` is `corput_some_name`, with `_pdf` and `_invert`, and in
+Rust the same without `corput_`. +z is the normal or the pole, coordinates are right-handed, angles
+are in radians. Errors are worst cases, those of the exact profile in units of the last place (ULP)
+of float, held by `corput check`; those of the native profile are what Vulkan's precision tables
+allow. This page is what `corput maps` prints.
+";
+
+/// With a capital.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().collect::<String>() + letters.as_str()
+    })
 }
 
 /// What the README says of each sequence is what the catalogue says of it.

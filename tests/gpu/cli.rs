@@ -10,6 +10,8 @@ mod devices;
 mod guide;
 #[path = "cli/limits.rs"]
 mod limits;
+#[path = "cli/maps.rs"]
+mod maps;
 #[path = "cli/measure.rs"]
 mod measure;
 #[path = "cli/parse.rs"]

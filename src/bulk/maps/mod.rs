@@ -1,32 +1,43 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
 mod hemisphere;
+mod scattering;
+mod spherical;
 
 use crate::catalog::{Group, Mapping, Profile};
 
 /// Words of a sample: its coordinates, and then its pdf, as float bits.
 #[must_use]
 pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] {
-    let id = mapping.map().id;
+    let (id, p) = (mapping.map().id, mapping.parameters());
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
+        Group::Spherical => spherical::sample(profile, id, p, u),
+        Group::Scattering => scattering::sample(profile, id, p, u),
     }
 }
 
 /// Bits of the pdf at coordinates, given as float bits.
 #[must_use]
 pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
-    let (id, s) = (mapping.map().id, s.map(f32::from_bits));
-    match mapping.map().group {
-        Group::Hemisphere => hemisphere::pdf(profile, id, s).to_bits(),
-    }
+    let (id, p) = (mapping.map().id, mapping.parameters());
+    let s = s.map(f32::from_bits);
+    let pdf = match mapping.map().group {
+        Group::Hemisphere => hemisphere::pdf(profile, id, s),
+        Group::Spherical => spherical::pdf(profile, id, p, s),
+        Group::Scattering => scattering::pdf(profile, id, p, s),
+    };
+    pdf.to_bits()
 }
 
 /// The fractions that give coordinates, given as float bits.
 #[must_use]
 pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] {
-    let (id, s) = (mapping.map().id, s.map(f32::from_bits));
+    let (id, p) = (mapping.map().id, mapping.parameters());
+    let s = s.map(f32::from_bits);
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
+        Group::Spherical => spherical::invert(profile, id, p, s),
+        Group::Scattering => scattering::invert(profile, id, p, s),
     }
 }

@@ -1,7 +1,7 @@
 //! The judge's sample of a map.
 
 use crate::catalog::{Group, Mapping};
-use crate::interface::map;
+use crate::interface::{MAP_PARAMETERS, map};
 use crate::judge;
 
 /// Coordinates of the sample and then its pdf, in `f64`; `None` where no judge knows.
@@ -10,6 +10,68 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     let id = mapping.map().id;
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
+        Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
+        Group::Scattering => scattering(id, mapping.parameters(), [u[0], u[1]]),
+    }
+}
+
+fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
+    let uniform = |[x, y, z]: [f64; 3], solid_angle: f64| Some([x, y, z, 1.0 / solid_angle]);
+    let vector = |i: usize| [p[i], p[i + 1], p[i + 2]].map(f64::from);
+    let vectors = || [vector(0), vector(3), vector(6)];
+    match id {
+        map::UNIFORM_SPHERE => uniform(
+            judge::spherical::uniform_sphere(u),
+            4.0 * std::f64::consts::PI,
+        ),
+        map::CONE => uniform(
+            judge::spherical::cone(p[0], u),
+            judge::spherical::cone_solid_angle(p[0]),
+        ),
+        map::SPHERICAL_TRIANGLE => {
+            let [a, b, c] = vectors();
+            let solid_angle = judge::spherical_triangle::solid_angle(a, b, c);
+            uniform(
+                judge::spherical_triangle::spherical_triangle([a, b, c], u),
+                solid_angle,
+            )
+        }
+        map::SPHERICAL_RECTANGLE => uniform(
+            judge::spherical_triangle::spherical_rectangle(vectors(), u),
+            judge::spherical_triangle::rectangle_solid_angle(vectors()),
+        ),
+        map::SPHERE_LIGHT => {
+            let ([x, y, z], pdf) = judge::lights::sphere_light(vector(0), p[3].into(), u);
+            Some([x, y, z, pdf])
+        }
+        map::DISK_LIGHT => {
+            let ([x, y, z], pdf) = judge::lights::disk_light(vector(0), vector(3), p[6].into(), u);
+            Some([x, y, z, pdf])
+        }
+        _ => None,
+    }
+}
+
+/// A cap's normal nearly perpendicular to the view is a small sum of large vectors, whose pdf
+/// has few digits: there nothing is asked.
+const PERPENDICULAR: f64 = 1.0 / 64.0;
+
+fn scattering(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
+    let (alpha, wo) = ([p[0], p[1]], [p[2], p[3], p[4]]);
+    let capped = |lobe: judge::Ggx| {
+        let sample = lobe.vndf_cap(u);
+        let [x, y, z, _] = sample;
+        (lobe.sphere_cosine([x, y, z]) >= PERPENDICULAR).then_some(sample)
+    };
+    match id {
+        map::HENYEY_GREENSTEIN => Some(judge::henyey_greenstein(p[0], p[1] > 0.0, u)),
+        map::GGX_VNDF => Some(judge::Ggx::new(alpha, wo).vndf(u)),
+        map::GGX_VNDF_NORMAL => Some(judge::Ggx::new(alpha, wo).normal(u)),
+        map::GGX_VNDF_CAP => capped(judge::Ggx::new(alpha, wo)),
+        map::GGX_VNDF_BOUNDED => capped(judge::Ggx::bounded(alpha, wo)),
+        map::BECKMANN_NORMAL => Some(judge::beckmann_normal(alpha, u)),
+        map::BECKMANN => Some(judge::beckmann(alpha, wo, u)),
+        _ => None,
     }
 }
 

@@ -197,6 +197,10 @@ const MAPPED: &[Binding] = &[RESULTS, POINTS];
 const MAPPERS: &[Kernel] = &[
     maps("map_hemisphere", "map_hemisphere.comp", MAPPED, Profile::Integer),
     maps("map_hemisphere_native", "map_hemisphere.comp", MAPPED, Profile::Native),
+    maps("map_scattering", "map_scattering.comp", MAPPED, Profile::Integer),
+    maps("map_scattering_native", "map_scattering.comp", MAPPED, Profile::Native),
+    maps("map_spherical", "map_spherical.comp", MAPPED, Profile::Integer),
+    maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
 ];
 
 const MADE: usize = POINT_KERNELS * FAMILIES.len();

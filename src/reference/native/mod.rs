@@ -1,11 +1,20 @@
 //! The native profile's formulas in `f32`: a twin by formula, not by bits, since each
 //! device has functions of its own.
 
+pub mod beckmann;
 pub mod cone;
 pub mod disk;
 pub mod disk_light;
 pub mod frame;
+pub mod ggx;
+pub mod ggx_lobe;
+pub mod ggx_vndf;
+pub mod ggx_vndf_bounded;
+pub mod ggx_vndf_cap;
 pub mod hemisphere;
+pub mod henyey_greenstein;
+pub mod reflect;
+pub mod scattered;
 pub mod sphere;
 pub mod sphere_light;
 pub mod spherical_rectangle;
