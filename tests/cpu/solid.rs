@@ -2,6 +2,11 @@
 
 #[path = "solid/cone.rs"]
 mod cone;
+#[path = "solid/lights.rs"]
+mod lights;
+#[path = "solid/rectangle.rs"]
+mod rectangle;
+mod significance;
 #[path = "solid/tools.rs"]
 mod tools;
 #[path = "solid/triangle.rs"]
