@@ -280,7 +280,7 @@ pub fn judge_native(mapper: &mut Mapper, map: &'static Map, mappings: &[Mapping]
                         away / t / map.native_pdf
                     }
                 } else {
-                    away / map.native
+                    away / (map.native * t.abs().max(1.0))
                 };
                 if part > ratio || part.is_nan() {
                     ratio = part;

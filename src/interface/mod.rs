@@ -420,6 +420,20 @@ pub mod map {
     /// Beckmann, reflection.
     pub const BECKMANN: u32 = 70;
 
+    /// Free flight.
+    pub const EXPONENTIAL: u32 = 96;
+    /// Normal distribution.
+    pub const GAUSSIAN: u32 = 97;
+    /// Two normal distributions by quantiles.
+    pub const NORMAL_PAIR: u32 = 98;
+    /// Two normal distributions by the polar method.
+    pub const BOX_MULLER: u32 = 99;
+    /// Pixel filter: box.
+    pub const FILTER_BOX: u32 = 100;
+    /// Pixel filter: tent.
+    pub const FILTER_TENT: u32 = 101;
+    /// Pixel filter: truncated Gaussian.
+    pub const FILTER_GAUSSIAN: u32 = 102;
     /// Environment map, hierarchical.
     pub const ENVIRONMENT: u32 = 128;
     /// Environment map, by an alias table.

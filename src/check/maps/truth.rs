@@ -12,8 +12,13 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
         Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
-        Group::Scattering => scattering(id, mapping.parameters(), [u[0], u[1]]),
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line(id, mapping.parameters(), [u[0], u[1]])
+        }
         Group::Environment => environment(mapping, u),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering(id, mapping.parameters(), [u[0], u[1]])
+        }
     }
 }
 
@@ -39,6 +44,27 @@ fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]
             judge::spherical::cone(p[0], u),
             judge::spherical::cone_solid_angle(p[0]),
         ),
+        _ => None,
+    }
+}
+
+fn line(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
+    let (first, second) = (f64::from(p[0]), f64::from(p[1]));
+    let one = |[x, pdf]: [f64; 2]| Some([x, pdf, 0.0, 0.0]);
+    let two = |[x, y, pdf]: [f64; 3]| Some([x, y, pdf, 0.0]);
+    // Both coordinates are alike, and independent.
+    let product = |of: &dyn Fn(u32) -> [f64; 2]| {
+        let ([x, p], [y, q]) = (of(u[0]), of(u[1]));
+        two([x, y, p * q])
+    };
+    match id {
+        map::EXPONENTIAL => one(judge::line::exponential(first, u[0])),
+        map::GAUSSIAN => one(judge::line::gaussian(first, u[0])),
+        map::NORMAL_PAIR => product(&|u| judge::line::gaussian(first, u)),
+        map::BOX_MULLER => two(judge::line::box_muller(first, u)),
+        map::FILTER_BOX => product(&|u| judge::line::filter_box(first, u)),
+        map::FILTER_TENT => product(&|u| judge::line::filter_tent(first, u)),
+        map::FILTER_GAUSSIAN => product(&|u| judge::line::filter_gaussian(first, second, u)),
         _ => None,
     }
 }
