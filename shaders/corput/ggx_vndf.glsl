@@ -113,6 +113,22 @@ float corput_ggx_vndf_normal_pdf(CorputGgx g, vec3 normal) {
         corput_ggx_density(g.alpha_x, g.alpha_y, h)), corput_ggx_area(g)));
 }
 
+// t2 + A cos, given the height: corput_ggx_vndf_height the other way.
+CorputReal corput_ggx_vndf_rise(CorputReal sine, CorputReal cosine, CorputReal t2, CorputReal w, CorputReal a,
+    CorputReal height) {
+    CorputReal near = corput_real_multiply(a, cosine);
+    if (near.negative == t2.negative) {
+        return corput_real_add(t2, near);
+    }
+    CorputReal first = corput_real_multiply(t2, sine);
+    CorputReal second = corput_real_multiply(w, cosine);
+    first.negative = false;
+    second.negative = false;
+    CorputReal other = corput_real_subtract(t2, near);
+    other.negative = false;
+    return corput_real_divide(corput_real_multiply(height, corput_real_add(first, second)), other);
+}
+
 // The fractions that give the normal h, of any length.
 uvec2 corput_ggx_vndf_fractions(CorputGgx g, CorputReal3 h) {
     CorputReal3 n = corput_real3_normalize(CorputReal3(corput_real_multiply(h.x, g.alpha_y),
@@ -132,10 +148,13 @@ uvec2 corput_ggx_vndf_fractions(CorputGgx g, CorputReal3 h) {
     if (!t2.negative) {
         q = corput_real_divide(w_square, corput_real_add(a, t2));
     }
+    // A - y and A + y, whose product is 1 - u.
     CorputReal s = corput_real_shift(g.cap_above, -1);
-    CorputReal y = corput_real_subtract(a, corput_real_divide(q, s));
+    CorputReal less = corput_real_divide(q, s);
+    CorputReal more = corput_real_divide(corput_ggx_vndf_rise(axis.z, g.view.z, t2, w, a, n.z), s);
+    CorputReal y = corput_real_subtract(a, less);
     CorputReal square = corput_real_add(corput_real_square(t1), corput_real_square(y));
-    return uvec2(corput_real_fraction(square), corput_real_turns(y, t1));
+    return uvec2(corput_real_fraction_of(square, corput_real_multiply(less, more)), corput_real_turns(y, t1));
 }
 
 // The fractions that give this direction.

@@ -18,10 +18,10 @@
 use crate::reference::ggx::ggx_density;
 use crate::reference::ggx_lobe::{Ggx, ggx_area, ggx_normal, ggx_pdf, ggx_reflected};
 use crate::reference::real::{
-    Real, real_add, real_divide, real_float, real_fraction, real_multiply, real_negate, real_shift,
-    real_sqrt, real_square, real_subtract, real_uint, real_zero,
+    Real, real_add, real_divide, real_float, real_multiply, real_negate, real_shift, real_sqrt,
+    real_square, real_subtract, real_uint, real_zero,
 };
-use crate::reference::real_angle::{real_complement, real_turns};
+use crate::reference::real_angle::{real_complement, real_fraction_of, real_turns};
 use crate::reference::real_vector::{Real3, real3, real3_add, real3_dot, real3_normalize};
 use crate::reference::scattered::{Scattered, real3_around};
 use glam::{UVec2, Vec3, uvec2};
@@ -160,6 +160,23 @@ pub fn ggx_vndf_normal_pdf(g: Ggx, normal: Vec3) -> f32 {
     ))
 }
 
+/// t2 + A cos, given the height: corput_ggx_vndf_height the other way.
+#[inline]
+#[must_use]
+pub fn ggx_vndf_rise(sine: Real, cosine: Real, t2: Real, w: Real, a: Real, height: Real) -> Real {
+    let near = real_multiply(a, cosine);
+    if near.negative == t2.negative {
+        return real_add(t2, near);
+    }
+    let mut first = real_multiply(t2, sine);
+    let mut second = real_multiply(w, cosine);
+    first.negative = false;
+    second.negative = false;
+    let mut other = real_subtract(t2, near);
+    other.negative = false;
+    real_divide(real_multiply(height, real_add(first, second)), other)
+}
+
 /// The fractions that give the normal h, of any length.
 #[inline]
 #[must_use]
@@ -182,10 +199,16 @@ pub fn ggx_vndf_fractions(g: Ggx, h: Real3) -> UVec2 {
     if !t2.negative {
         q = real_divide(w_square, real_add(a, t2));
     }
+    // A - y and A + y, whose product is 1 - u.
     let s = real_shift(g.cap_above, -1);
-    let y = real_subtract(a, real_divide(q, s));
+    let less = real_divide(q, s);
+    let more = real_divide(ggx_vndf_rise(axis.z, g.view.z, t2, w, a, n.z), s);
+    let y = real_subtract(a, less);
     let square = real_add(real_square(t1), real_square(y));
-    uvec2(real_fraction(square), real_turns(y, t1))
+    uvec2(
+        real_fraction_of(square, real_multiply(less, more)),
+        real_turns(y, t1),
+    )
 }
 
 /// The fractions that give this direction.

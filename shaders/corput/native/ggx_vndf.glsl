@@ -93,6 +93,15 @@ float corput_native_ggx_vndf_normal_pdf(CorputNativeGgx g, vec3 normal) {
         corput_native_ggx_area(g));
 }
 
+// t2 + A cos, given the height: corput_native_ggx_vndf_height the other way.
+float corput_native_ggx_vndf_rise(float sine, float cosine, float t2, float w, float a, float height) {
+    float near = a * cosine;
+    if (near * t2 >= 0.0) {
+        return t2 + near;
+    }
+    return height * (abs(t2 * sine) + abs(w * cosine)) / abs(t2 - near);
+}
+
 // The fractions that give the normal h, of any length.
 uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h) {
     vec3 n = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
@@ -108,8 +117,13 @@ uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h) {
     if (t2 > 0.0) {
         q = w * w / (a + t2);
     }
-    float y = a - corput_native_ggx_quotient(2.0 * q, g.cap_above);
-    return uvec2(corput_native_fraction(t1 * t1 + y * y), corput_native_fraction(corput_native_turns(vec2(t1, y))));
+    // A - y and A + y, whose product is 1 - u.
+    float less = corput_native_ggx_quotient(2.0 * q, g.cap_above);
+    float rise = corput_native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a, n.z);
+    float more = corput_native_ggx_quotient(2.0 * rise, g.cap_above);
+    float y = a - less;
+    return uvec2(corput_native_fraction_of(t1 * t1 + y * y, less * more),
+        corput_native_fraction(corput_native_turns(vec2(t1, y))));
 }
 
 // The fractions that give this direction.

@@ -14,7 +14,7 @@ use crate::reference::native::ggx_lobe::{
     native_ggx_reflected,
 };
 use crate::reference::native::hemisphere::native_complement;
-use crate::reference::native::scattered::{NativeScattered, native_around};
+use crate::reference::native::scattered::{NativeScattered, native_around, native_fraction_of};
 use glam::{UVec2, Vec3, uvec2, vec2, vec3};
 
 /// A visible normal of the unit sphere.
@@ -51,7 +51,7 @@ pub fn native_ggx_vndf_height(sine: f32, cosine: f32, t2: f32, w: f32, a: f32, r
 #[must_use]
 pub fn native_ggx_vndf_visible(g: NativeGgx, u: UVec2) -> NativeGgxVisible {
     let rest = native_complement(u.x);
-    let disk = native_around((native_unit(u.x)).sqrt(), u.y, 0.0);
+    let disk = native_around(native_unit(u.x).sqrt(), u.y, 0.0);
     let a = (rest + disk.y * disk.y).sqrt();
     // A - y and A + y.
     let far = a + disk.y.abs();
@@ -110,6 +110,16 @@ pub fn native_ggx_vndf_normal_pdf(g: NativeGgx, normal: Vec3) -> f32 {
     )
 }
 
+/// t2 + A cos, given the height: corput_native_ggx_vndf_height the other way.
+#[must_use]
+pub fn native_ggx_vndf_rise(sine: f32, cosine: f32, t2: f32, w: f32, a: f32, height: f32) -> f32 {
+    let near = a * cosine;
+    if near * t2 >= 0.0 {
+        return t2 + near;
+    }
+    height * ((t2 * sine).abs() + (w * cosine).abs()) / (t2 - near).abs()
+}
+
 /// The fractions that give the normal h, of any length.
 #[must_use]
 pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3) -> UVec2 {
@@ -126,9 +136,13 @@ pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3) -> UVec2 {
     if t2 > 0.0 {
         q = w * w / (a + t2);
     }
-    let y = a - native_ggx_quotient(2.0 * q, g.cap_above);
+    // A - y and A + y, whose product is 1 - u.
+    let less = native_ggx_quotient(2.0 * q, g.cap_above);
+    let rise = native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a, n.z);
+    let more = native_ggx_quotient(2.0 * rise, g.cap_above);
+    let y = a - less;
     uvec2(
-        native_fraction(t1 * t1 + y * y),
+        native_fraction_of(t1 * t1 + y * y, less * more),
         native_fraction(native_turns(vec2(t1, y))),
     )
 }

@@ -1,6 +1,7 @@
 //! The mutants: mistakes that a port, a refactoring or a compiler could make.
 
 mod foundation;
+mod scattering;
 mod sequences;
 mod sets;
 
@@ -58,7 +59,12 @@ const fn twice(mut mutant: Mutant) -> Mutant {
 
 /// Every mutant.
 pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
-    [foundation::MUTANTS, sequences::MUTANTS, sets::MUTANTS]
-        .into_iter()
-        .flatten()
+    [
+        foundation::MUTANTS,
+        scattering::MUTANTS,
+        sequences::MUTANTS,
+        sets::MUTANTS,
+    ]
+    .into_iter()
+    .flatten()
 }
