@@ -5,7 +5,9 @@
 //! ULP figure by less than 2^-28.
 
 mod digits;
+pub mod environment;
 mod functions;
+pub mod line;
 mod maps;
 mod normal;
 pub mod random;
@@ -23,7 +25,7 @@ pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
-pub use normal::{normal_density, normal_quantile, normal_tail};
+pub use normal::{normal_density, normal_mass, normal_quantile, normal_tail};
 pub use scattering::{
     Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_fractions,
     henyey_greenstein_pdf,

@@ -1,6 +1,8 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
+mod environment;
 mod hemisphere;
+mod line;
 mod scattering;
 mod spherical;
 
@@ -16,6 +18,10 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
         Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
             scattering::sample(profile, id, p, u)
         }
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::sample(profile, id, p, u)
+        }
+        Group::Environment => environment::sample(mapping, profile, u),
     }
 }
 
@@ -30,6 +36,10 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
         Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
             scattering::pdf(profile, id, p, s)
         }
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::pdf(profile, id, p, s)
+        }
+        Group::Environment => environment::pdf(mapping, profile, s),
     };
     pdf.to_bits()
 }
@@ -45,5 +55,9 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
         Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
             scattering::invert(profile, id, p, s)
         }
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::invert(profile, id, p, s)
+        }
+        Group::Environment => environment::invert(mapping, s),
     }
 }

@@ -7,7 +7,9 @@
 //! `bulk/maps` with the three functions over the twins, and one in `judge` that
 //! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
 
+mod environment;
 mod hemisphere;
+mod line;
 mod mapping;
 mod scattering;
 mod spherical;
@@ -33,6 +35,16 @@ pub enum Group {
     GgxCap,
     /// Microsurfaces of Beckmann.
     Beckmann,
+    /// Free flight, and one normal distribution.
+    Line,
+    /// Two normal distributions.
+    Normal,
+    /// Pixel filters of polynomials.
+    Filter,
+    /// The truncated Gaussian as a pixel filter.
+    GaussianFilter,
+    /// Environment maps.
+    Environment,
 }
 
 impl Group {
@@ -46,6 +58,11 @@ impl Group {
             Self::GgxCap => ["map_ggx_cap", "map_ggx_cap_native"],
             Self::Beckmann => ["map_beckmann", "map_beckmann_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
+            Self::Line => ["map_line", "map_line_native"],
+            Self::Normal => ["map_normal", "map_normal_native"],
+            Self::Filter => ["map_filter", "map_filter_native"],
+            Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
+            Self::Environment => ["map_environment", "map_environment_native"],
         };
         match profile {
             Profile::Exact => names[0],
@@ -109,7 +126,7 @@ pub struct Map {
     pub floor: f64,
     /// Worst error of the pdf of a sample in the exact profile, in ULP.
     pub pdf_ulp: f64,
-    /// Worst absolute error of a coordinate in the native profile.
+    /// Worst error of a coordinate in the native profile: absolute, and relative above 1.
     pub native: f64,
     /// Worst relative error of the pdf in the native profile.
     pub native_pdf: f64,
@@ -144,7 +161,13 @@ impl PartialEq for Map {
 }
 
 /// The groups in the order of the documentation.
-const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS, scattering::MAPS];
+const GROUPS: &[&[Map]] = &[
+    hemisphere::MAPS,
+    spherical::MAPS,
+    scattering::MAPS,
+    line::MAPS,
+    environment::MAPS,
+];
 
 /// Every map.
 pub fn maps() -> impl Iterator<Item = &'static Map> {

@@ -1,5 +1,6 @@
 //! The mutants: mistakes that a port, a refactoring or a compiler could make.
 
+mod elementary;
 mod foundation;
 mod scattering;
 mod sequences;
@@ -60,6 +61,7 @@ const fn twice(mut mutant: Mutant) -> Mutant {
 /// Every mutant.
 pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
     [
+        elementary::MUTANTS,
         foundation::MUTANTS,
         scattering::MUTANTS,
         sequences::MUTANTS,
