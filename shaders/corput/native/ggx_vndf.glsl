@@ -102,15 +102,16 @@ float corput_native_ggx_vndf_rise(float sine, float cosine, float t2, float w, f
     return height * (abs(t2 * sine) + abs(w * cosine)) / abs(t2 - near);
 }
 
-// The fractions that give the normal h, of any length.
-uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h) {
-    vec3 n = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
-    n = n * corput_native_ggx_quotient(1.0, sqrt(dot(n, n)));
+// The fractions that give the normal h, of any length, with wo.h.
+uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h, float wo_h) {
+    vec3 shrunk = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
+    float inverse = corput_native_ggx_quotient(1.0, sqrt(dot(shrunk, shrunk)));
+    vec3 n = shrunk * inverse;
     vec3 axis = corput_native_ggx_vndf_axis(g);
     float along = n.x * axis.x + n.y * axis.y;
     float t1 = n.y * axis.x - n.x * axis.y;
     float t2 = n.z * axis.z - along * g.view.z;
-    float w = along * axis.z + n.z * g.view.z;
+    float w = wo_h * inverse / g.stretch;
     float a = sqrt(t2 * t2 + w * w);
     // A - t2, from w^2 where it would cancel.
     float q = a - t2;
@@ -128,12 +129,13 @@ uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h) {
 
 // The fractions that give this direction.
 uvec2 corput_native_ggx_vndf_invert(CorputNativeGgx g, vec3 wi) {
-    return corput_native_ggx_vndf_fractions(g, wi + g.wo);
+    vec3 h = wi + g.wo;
+    return corput_native_ggx_vndf_fractions(g, h, 0.5 * dot(h, h));
 }
 
 // The fractions that give this normal.
 uvec2 corput_native_ggx_vndf_normal_invert(CorputNativeGgx g, vec3 normal) {
-    return corput_native_ggx_vndf_fractions(g, normal);
+    return corput_native_ggx_vndf_fractions(g, normal, dot(g.wo, normal));
 }
 
 #endif

@@ -110,7 +110,7 @@ pub fn native_ggx_vndf_normal_pdf(g: NativeGgx, normal: Vec3) -> f32 {
     )
 }
 
-/// t2 + A cos, given the height: corput_native_ggx_vndf_height the other way.
+/// t2 + A cos, given the height: native_ggx_vndf_height the other way.
 #[must_use]
 pub fn native_ggx_vndf_rise(sine: f32, cosine: f32, t2: f32, w: f32, a: f32, height: f32) -> f32 {
     let near = a * cosine;
@@ -120,16 +120,17 @@ pub fn native_ggx_vndf_rise(sine: f32, cosine: f32, t2: f32, w: f32, a: f32, hei
     height * ((t2 * sine).abs() + (w * cosine).abs()) / (t2 - near).abs()
 }
 
-/// The fractions that give the normal h, of any length.
+/// The fractions that give the normal h, of any length, with wo.h.
 #[must_use]
-pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3) -> UVec2 {
-    let mut n = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
-    n = n * native_ggx_quotient(1.0, (n.dot(n)).sqrt());
+pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3, wo_h: f32) -> UVec2 {
+    let shrunk = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
+    let inverse = native_ggx_quotient(1.0, (shrunk.dot(shrunk)).sqrt());
+    let n = shrunk * inverse;
     let axis = native_ggx_vndf_axis(g);
     let along = n.x * axis.x + n.y * axis.y;
     let t1 = n.y * axis.x - n.x * axis.y;
     let t2 = n.z * axis.z - along * g.view.z;
-    let w = along * axis.z + n.z * g.view.z;
+    let w = wo_h * inverse / g.stretch;
     let a = (t2 * t2 + w * w).sqrt();
     // A - t2, from w^2 where it would cancel.
     let mut q = a - t2;
@@ -150,11 +151,12 @@ pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3) -> UVec2 {
 /// The fractions that give this direction.
 #[must_use]
 pub fn native_ggx_vndf_invert(g: NativeGgx, wi: Vec3) -> UVec2 {
-    native_ggx_vndf_fractions(g, wi + g.wo)
+    let h = wi + g.wo;
+    native_ggx_vndf_fractions(g, h, 0.5 * h.dot(h))
 }
 
 /// The fractions that give this normal.
 #[must_use]
 pub fn native_ggx_vndf_normal_invert(g: NativeGgx, normal: Vec3) -> UVec2 {
-    native_ggx_vndf_fractions(g, normal)
+    native_ggx_vndf_fractions(g, normal, g.wo.dot(normal))
 }
