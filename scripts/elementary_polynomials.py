@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Coefficients of logarithm.glsl, exponential.glsl and normal_quantile.glsl, lowest first.
+"""Coefficients of logarithm, exponential, normal_quantile and its native form, lowest first.
 
     python3 scripts/elementary_polynomials.py        # needs mpmath
 
@@ -24,6 +24,12 @@ def fit(name, f, low, high, degree, bits, alternating=False):
     if alternating:
         scaled = [-c if k % 2 else c for k, c in enumerate(scaled)]
     print(f"{name}: 2^{float(log(error, 2)):.1f}\n  {scaled}")
+
+
+def floats(name, f, low, high, degree):
+    """Of the native profile: as decimal floats."""
+    coefficients, error = chebyfit(f, [low, high], degree + 1, error=True)
+    print(f"{name}: {float(error):.1e}\n  {[f'{float(c):.9g}' for c in coefficients[::-1]]}")
 
 
 def log1p_over(f):
@@ -65,3 +71,13 @@ if __name__ == "__main__":
         mpf(0), mpf(1), 7, 32, True)
     fit("q e^(z^2 / 2) by 4 / (4 + z), z from 1.4 to 7", lambda u: tail(4 / u - 4) * exp((4 / u - 4) ** 2 / 2),
         mpf(4) / 11, mpf(4) / mpf("5.4"), 8, 32)
+
+    floats("native: z / (2 x) by 8 x^2", centre, mpf(0), mpf(1), 7)
+    floats("native: z by t - 2.8", lambda s: quantile(exp(-((s + mpf("2.8")) ** 2) / 2)),
+           mpf("-0.87"), mpf("0.95"), 7)
+    floats("native: z by t - 5.25", lambda s: quantile(exp(-((s + mpf("5.25")) ** 2) / 2)),
+           mpf("-1.5"), mpf("1.57"), 6)
+    floats("native: (1/2 - q) / z by z^2 / 2", lambda w: (mpf(1) / 2 - tail(sqrt(2 * w))) / sqrt(2 * w) if w > 0 else npdf(0),
+           mpf(0), mpf(1), 5)
+    floats("native: q e^(z^2 / 2) by 4 / (4 + z)", lambda u: tail(4 / u - 4) * exp((4 / u - 4) ** 2 / 2),
+           mpf(4) / 11, mpf(4) / mpf("5.4"), 6)

@@ -12,7 +12,7 @@
 #ifndef CORPUT_LOGARITHM_GLSL
 #define CORPUT_LOGARITHM_GLSL
 
-#include "corput/real.glsl"
+#include "corput/real_angle.glsl"
 
 // ln x = n ln 2 + (negative ? -1 : 1) * rest * 2^-63.
 struct CorputLogarithm {
@@ -90,10 +90,7 @@ CorputReal corput_real_log2(CorputReal x) {
 
 // -ln(1 - u), u a fraction of 2^32: 0 to 32 ln 2, never infinite.
 CorputReal corput_real_negative_log(uint u) {
-    if (u == 0u) {
-        return corput_real_zero();
-    }
-    return corput_real_negate(corput_real_log(corput_real_uint(0u - u, -32)));
+    return corput_real_negate(corput_real_log(corput_real_complement(u)));
 }
 
 // -ln(1 - u), u a fraction of 2^32: +0 to 22.18071.

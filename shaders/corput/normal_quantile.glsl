@@ -20,12 +20,14 @@
 // c + x p, for x a fraction of 2^32.
 int corput_horner(int c, uint x, int p) {
     uint product = corput_mulhi(x, uint(p));
-    return c + int(p < 0 ? product - x : product);
+    if (p < 0) {
+        product -= x;
+    }
+    return c + int(product);
 }
 
-// z / (2 a) as a fraction of 2^31, for the mass a * 2^-33 from 0 to z: a^2 <= 2^63.
-uint corput_quantile_centre(uint a) {
-    uint w = corput_shl64(corput_mul64(a, a), 1u).y;
+// z / (2 m) as a fraction of 2^31, for the mass m from 0 to z, w = 8 m^2 a fraction of 2^32.
+uint corput_quantile_centre(uint w) {
     int p = corput_horner(-4005107, w, 1041235);
     p = corput_horner(7802295, w, p);
     p = corput_horner(-7962297, w, p);
@@ -70,43 +72,47 @@ uint corput_quantile_far(uint t) {
     return 1678647636u + corput_shl64(corput_mul64(s, uint(p)), 1u).y;
 }
 
+// z >= 0 with this mass from 0 to z, and this tail beyond, which is 1/2 - mass and at
+// least 2^-33: either may be small, and each is taken where it is.
+CorputReal corput_real_quantile(CorputReal mass, CorputReal tail) {
+    CorputReal w = corput_real_shift(corput_real_square(mass), 3);
+    if (mass.m == 0u || w.e <= -32) {
+        uint p = corput_quantile_centre(corput_real_fraction(w));
+        return corput_real_multiply(mass, corput_real_uint(p, -30));
+    }
+    CorputReal t = corput_real_sqrt(corput_real_shift(corput_real_negate(corput_real_log(tail)), 1));
+    // From 1.96 to 6.77; at 3.75 the far range begins.
+    if (t.e < -30 || (t.e == -30 && t.m < 4026531840u)) {
+        return corput_real_uint(corput_quantile_near(t.m >> uint(-30 - t.e)), -30);
+    }
+    return corput_real_uint(corput_quantile_far(t.m >> uint(-29 - t.e)), -29);
+}
+
 // z such that the normal distribution has mass (2 u + 1) / 2^33 below it.
 CorputReal corput_real_normal_quantile(uint u) {
     bool negative = u < 0x80000000u;
     // a * 2^-33 lies between 1/2 and the midpoint.
     uint a = ((negative ? ~u : u) << 1) | 1u;
-    if (a <= 0xb504f333u) {
-        CorputReal distance = corput_real_uint(a, -32);
-        CorputReal z = corput_real_multiply(distance, CorputReal(corput_quantile_centre(a), -31, false));
-        return CorputReal(z.m, z.e, negative);
-    }
-    CorputReal log_q = corput_real_log(corput_real_uint(0u - a, -33));
-    CorputReal t = corput_real_sqrt(CorputReal(log_q.m, log_q.e + 1, false));
-    // From 1.96 to 6.77; at 3.75 the far range begins.
-    if (t.e < -30 || (t.e == -30 && t.m < 4026531840u)) {
-        CorputReal z = corput_real_uint(corput_quantile_near(t.m >> uint(-30 - t.e)), -30);
-        return CorputReal(z.m, z.e, negative);
-    }
-    CorputReal z = corput_real_uint(corput_quantile_far(t.m >> uint(-29 - t.e)), -29);
+    CorputReal z = corput_real_quantile(corput_real_uint(a, -33), corput_real_uint(0u - a, -33));
     return CorputReal(z.m, z.e, negative);
 }
 
-// The mass of the normal distribution above |z|.
-CorputReal corput_real_normal_tail(CorputReal z) {
-    CorputReal half_square = corput_real_shift(corput_real_square(z), -1);
-    if (z.m == 0u || half_square.e <= -32) {
-        uint w = corput_real_fraction(half_square);
-        uint p = 171074u - corput_mulhi(w, 14679u);
-        p = 1288308u - corput_mulhi(w, p);
-        p = 7928138u - corput_mulhi(w, p);
-        p = 40795163u - corput_mulhi(w, p);
-        p = 171344265u - corput_mulhi(w, p);
-        p = 571148009u - corput_mulhi(w, p);
-        p = 1713444047u - corput_mulhi(w, p);
-        CorputReal mass = corput_real_multiply(CorputReal(z.m, z.e, false), corput_real_uint(p, -32));
-        return corput_real_subtract(CorputReal(0x80000000u, -32, false), mass);
-    }
-    CorputReal four = CorputReal(0x80000000u, -29, false);
+// The mass of the normal distribution from 0 to |z|, for z^2/2 = w < 1.
+CorputReal corput_real_normal_near(CorputReal z, CorputReal w) {
+    uint x = corput_real_fraction(w);
+    uint p = 171074u - corput_mulhi(x, 14679u);
+    p = 1288308u - corput_mulhi(x, p);
+    p = 7928138u - corput_mulhi(x, p);
+    p = 40795163u - corput_mulhi(x, p);
+    p = 171344265u - corput_mulhi(x, p);
+    p = 571148009u - corput_mulhi(x, p);
+    p = 1713444047u - corput_mulhi(x, p);
+    return corput_real_multiply(CorputReal(z.m, z.e, false), corput_real_uint(p, -32));
+}
+
+// The mass of the normal distribution above |z|, for z^2/2 >= 1.
+CorputReal corput_real_normal_far(CorputReal z) {
+    CorputReal four = corput_real_uint(4u, 0);
     CorputReal sum = corput_real_add(CorputReal(z.m, z.e, false), four);
     uint s = corput_real_fraction(corput_real_divide(four, sum));
     int p = corput_horner(194367399, s, -137488665);
@@ -118,6 +124,24 @@ CorputReal corput_real_normal_tail(CorputReal z) {
     p = corput_horner(423049695, s, p);
     p = corput_horner(329745, s, p);
     return corput_real_multiply(corput_real_gaussian(z), corput_real_uint(uint(p), -32));
+}
+
+// The mass of the normal distribution above |z|.
+CorputReal corput_real_normal_tail(CorputReal z) {
+    CorputReal w = corput_real_shift(corput_real_square(z), -1);
+    if (z.m == 0u || w.e <= -32) {
+        return corput_real_subtract(corput_real_uint(1u, -1), corput_real_normal_near(z, w));
+    }
+    return corput_real_normal_far(z);
+}
+
+// The mass of the normal distribution from 0 to |z|.
+CorputReal corput_real_normal_mass(CorputReal z) {
+    CorputReal w = corput_real_shift(corput_real_square(z), -1);
+    if (z.m == 0u || w.e <= -32) {
+        return corput_real_normal_near(z, w);
+    }
+    return corput_real_subtract(corput_real_uint(1u, -1), corput_real_normal_far(z));
 }
 
 // The fraction whose midpoint's quantile is z: floor(2^32 Phi(z)), and ~ of it for -z.

@@ -6,6 +6,11 @@
 
 #include "map_store.glsl"
 
+// An attribute of the loop over an invocation's four points.
+#ifndef MAP_LOOP
+#define MAP_LOOP
+#endif
+
 const uint SAMPLE = 0u;
 const uint PDF = 1u;
 const uint INVERT = 2u;
@@ -45,7 +50,7 @@ void main() {
         return;
     }
     uvec4 made[4];
-    for (uint k = 0u; k < 4u; k++) {
+    MAP_LOOP for (uint k = 0u; k < 4u; k++) {
         made[k] = map_result(4u * i + k);
     }
     uint width = TASK == SAMPLE ? COORDINATES + WITH_PDF : TASK == PDF ? 1u : 4u;

@@ -146,6 +146,20 @@ const fn judged(name: &'static str, id: u32) -> Function {
     }
 }
 
+const fn elementary(
+    name: &'static str,
+    header: &'static str,
+    id: u32,
+    kind: Kind,
+    bound: f64,
+    unit: &'static str,
+) -> Function {
+    Function {
+        kernel: "evaluate_elementary",
+        ..float(name, header, id, kind, bound, unit)
+    }
+}
+
 const fn blue_noise(name: &'static str, header: &'static str, id: u32) -> Function {
     Function {
         kernel: "evaluate_blue_noise",
@@ -177,6 +191,26 @@ pub const FUNCTIONS: &[Function] = &[
     real("real_min", "real", 3),
     real("real_float", "real", 4),
     real("real_vector", "real_vector", 5),
+    elementary("negative_log", "logarithm", 0, Kind::Word, 0.51, "ULP"),
+    elementary("log", "logarithm", 1, Kind::Float, 0.52, "ULP"),
+    elementary("exp", "exponential", 2, Kind::Float, 0.52, "ULP"),
+    elementary("power", "exponential", 3, Kind::Floats, 1.0, "of bound"),
+    elementary(
+        "normal_quantile",
+        "normal_quantile",
+        4,
+        Kind::Word,
+        0.54,
+        "ULP",
+    ),
+    elementary(
+        "normal_tail",
+        "normal_quantile",
+        5,
+        Kind::Float,
+        1.0,
+        "2^-26 or ULP",
+    ),
     integer("radical_inverse", "radical_inverse", 11, Kind::Radical),
     integer("hammersley", "hammersley", 12, Kind::Grid),
     float("concentric_disk", "disk", 13, Kind::Words, 0.6, "ULP"),

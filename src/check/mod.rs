@@ -20,6 +20,7 @@ mod random;
 mod real;
 mod rows;
 mod strata;
+mod transcendental;
 
 pub use blue_noise::compare_mask;
 pub use functions::compare_function;

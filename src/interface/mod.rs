@@ -114,6 +114,9 @@ push_constants! {
 /// Parameters of a map: bits of floats.
 pub const MAP_PARAMETERS: usize = 16;
 
+/// Words of a map's tables that one buffer holds: 128 MiB, which every device allows.
+pub const TABLE_WORDS: usize = 1 << 25;
+
 impl MapPush {
     /// The block for so many invocations of a map with these parameters.
     #[must_use]
@@ -424,6 +427,25 @@ pub mod map {
     pub const BECKMANN_NORMAL: u32 = 69;
     /// Beckmann, reflection.
     pub const BECKMANN: u32 = 70;
+
+    /// Free flight.
+    pub const EXPONENTIAL: u32 = 96;
+    /// Normal distribution.
+    pub const GAUSSIAN: u32 = 97;
+    /// Two normal distributions by quantiles.
+    pub const NORMAL_PAIR: u32 = 98;
+    /// Two normal distributions by the polar method.
+    pub const BOX_MULLER: u32 = 99;
+    /// Pixel filter: box.
+    pub const FILTER_BOX: u32 = 100;
+    /// Pixel filter: tent.
+    pub const FILTER_TENT: u32 = 101;
+    /// Pixel filter: truncated Gaussian.
+    pub const FILTER_GAUSSIAN: u32 = 102;
+    /// Environment map, hierarchical.
+    pub const ENVIRONMENT: u32 = 128;
+    /// Environment map, by an alias table.
+    pub const ENVIRONMENT_ALIAS: u32 = 129;
 }
 
 /// Values of the constant `KIND` of `pairs`.

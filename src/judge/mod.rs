@@ -5,8 +5,10 @@
 //! ULP figure by less than 2^-28.
 
 mod digits;
+pub mod environment;
 mod functions;
 pub mod lights;
+pub mod line;
 mod maps;
 mod normal;
 pub mod random;
@@ -25,7 +27,7 @@ pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,
 };
-pub use normal::{normal_density, normal_quantile, normal_tail};
+pub use normal::{normal_density, normal_mass, normal_quantile, normal_tail};
 pub use scattering::{Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_pdf};
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};

@@ -46,10 +46,10 @@ pub fn normal_density(z: f64) -> f64 {
     (-0.5 * z * z).exp() / (2.0 * PI).sqrt()
 }
 
-/// The mass of the normal distribution above z >= 0: the series of Abramowitz and Stegun
+/// The mass of the normal distribution from 0 to z >= 0: the series of Abramowitz and Stegun
 /// 26.2.11 near 0, Laplace's continued fraction 26.2.14 from 2 on.
 #[must_use]
-pub fn normal_tail(z: f64) -> f64 {
+pub fn normal_mass(z: f64) -> f64 {
     if z < 2.0 {
         let mut term = z;
         let mut sum = 0.0;
@@ -57,7 +57,16 @@ pub fn normal_tail(z: f64) -> f64 {
             sum += term;
             term *= z * z / f64::from(2 * k + 1);
         }
-        return 0.5 - normal_density(z) * sum;
+        return normal_density(z) * sum;
+    }
+    0.5 - normal_tail(z)
+}
+
+/// The mass of the normal distribution above z >= 0.
+#[must_use]
+pub fn normal_tail(z: f64) -> f64 {
+    if z < 2.0 {
+        return 0.5 - normal_mass(z);
     }
     let fraction = (1..200)
         .rev()

@@ -11,8 +11,9 @@
 
 use crate::reference::fixed::{add64, mul64, mulhi, shr64, sub64};
 use crate::reference::real::{
-    Real, real, real_add, real_float, real_multiply, real_negate, real_uint, real_wide, real_zero,
+    Real, real, real_add, real_float, real_multiply, real_negate, real_uint, real_wide,
 };
+use crate::reference::real_angle::real_complement;
 use glam::UVec2;
 
 /// ln x = n ln 2 + (negative ? -1 : 1) * rest * 2^-63.
@@ -153,10 +154,7 @@ pub fn real_log2(x: Real) -> Real {
 #[inline]
 #[must_use]
 pub fn real_negative_log(u: u32) -> Real {
-    if u == 0 {
-        return real_zero();
-    }
-    real_negate(real_log(real_uint(0u32.wrapping_sub(u), -32)))
+    real_negate(real_log(real_complement(u)))
 }
 
 /// -ln(1 - u), u a fraction of 2^32: +0 to 22.18071.

@@ -2,41 +2,39 @@
 //! function, tail, density, and the fraction that a value stands for.
 //!
 //! Source: Giles 2010, "Approximating the erfinv function", 2, for the two ranges: a
-//! polynomial in the square of the distance from 1/2, and in sqrt(-2 ln q) for tails q; the
-//! tail as Mills' ratio in 4 / (4 + z) (Shepherd and Laframboise 1981) times e^(-z^2/2).
-//! Coefficients: `scripts/elementary_polynomials.py`. Domain: all fractions u of 2^32,
-//! which stand for the midpoints (2 u + 1) / 2^33: 0 and 1 are not among them, so that
-//! nothing is infinite, and ~u gives exactly -z. Range: quantiles from -6.33796 to 6.33796,
-//! reals within 2^-28 of themselves, floats 0.54 ULP; tails within 2^-26 of themselves,
-//! densities within 2^-29 for |z| <= 2^5. The fraction of a quantile differs from its own by
-//! 4 units at most. Tier I.
+//! polynomial in the square of the distance from 1/2, and in sqrt(-2 ln q) for tails q;
+//! the tail as Mills' ratio in 4 / (4 + z) (Shepherd and Laframboise 1981) times
+//! e^(-z^2/2). Coefficients: `scripts/elementary_polynomials.py`. Domain: all fractions u
+//! of 2^32, which stand for the midpoints (2 u + 1) / 2^33: 0 and 1 are not among them,
+//! so that nothing is infinite, and ~u gives exactly -z. Range: quantiles from -6.33796
+//! to 6.33796, reals within 2^-28 of themselves, floats 0.54 ULP; tails within 2^-26 of
+//! themselves, densities within 2^-29 for |z| <= 2^5. The fraction of a quantile differs
+//! from its own by 4 units at most. Tier I.
 //! Mirror: `shaders/corput/normal_quantile.glsl`.
 
 use crate::reference::exponential::real_gaussian;
 use crate::reference::fixed::{mul64, mulhi, shl64};
 use crate::reference::logarithm::real_log;
 use crate::reference::real::{
-    Real, real_add, real_divide, real_float, real_fraction, real_multiply, real_shift, real_sqrt,
-    real_square, real_subtract, real_uint,
+    Real, real_add, real_divide, real_float, real_fraction, real_multiply, real_negate, real_shift,
+    real_sqrt, real_square, real_subtract, real_uint,
 };
 
 /// c + x p, for x a fraction of 2^32.
 #[inline]
 #[must_use]
 pub fn horner(c: i32, x: u32, p: i32) -> i32 {
-    let product = mulhi(x, p as u32);
-    c.wrapping_add(if p < 0 {
-        product.wrapping_sub(x)
-    } else {
-        product
-    } as i32)
+    let mut product = mulhi(x, p as u32);
+    if p < 0 {
+        product = product.wrapping_sub(x);
+    }
+    c.wrapping_add(product as i32)
 }
 
-/// z / (2 a) as a fraction of 2^31, for the mass a * 2^-33 from 0 to z: a^2 <= 2^63.
+/// z / (2 m) as a fraction of 2^31, for the mass m from 0 to z, w = 8 m^2 a fraction of 2^32.
 #[inline]
 #[must_use]
-pub fn quantile_centre(a: u32) -> u32 {
-    let w = shl64(mul64(a, a), 1).y;
+pub fn quantile_centre(w: u32) -> u32 {
     let mut p = horner(-4_005_107, w, 1_041_235);
     p = horner(7_802_295, w, p);
     p = horner(-7_962_297, w, p);
@@ -85,6 +83,24 @@ pub fn quantile_far(t: u32) -> u32 {
     1_678_647_636 + shl64(mul64(s, p as u32), 1).y
 }
 
+/// z >= 0 with this mass from 0 to z, and this tail beyond, which is 1/2 - mass and at
+/// least 2^-33: either may be small, and each is taken where it is.
+#[inline]
+#[must_use]
+pub fn real_quantile(mass: Real, tail: Real) -> Real {
+    let w = real_shift(real_square(mass), 3);
+    if mass.m == 0 || w.e <= -32 {
+        let p = quantile_centre(real_fraction(w));
+        return real_multiply(mass, real_uint(p, -30));
+    }
+    let t = real_sqrt(real_shift(real_negate(real_log(tail)), 1));
+    // From 1.96 to 6.77; at 3.75 the far range begins.
+    if t.e < -30 || (t.e == -30 && t.m < 4_026_531_840) {
+        return real_uint(quantile_near(t.m >> (-30 - t.e) as u32), -30);
+    }
+    real_uint(quantile_far(t.m >> (-29 - t.e) as u32), -29)
+}
+
 /// z such that the normal distribution has mass (2 u + 1) / 2^33 below it.
 #[inline]
 #[must_use]
@@ -92,38 +108,7 @@ pub fn real_normal_quantile(u: u32) -> Real {
     let negative = u < 0x8000_0000;
     // a * 2^-33 lies between 1/2 and the midpoint.
     let a = (if negative { !u } else { u } << 1) | 1;
-    if a <= 0xb504_f333 {
-        let distance = real_uint(a, -32);
-        let z = real_multiply(
-            distance,
-            Real {
-                m: quantile_centre(a),
-                e: -31,
-                negative: false,
-            },
-        );
-        return Real {
-            m: z.m,
-            e: z.e,
-            negative,
-        };
-    }
-    let log_q = real_log(real_uint(0u32.wrapping_sub(a), -33));
-    let t = real_sqrt(Real {
-        m: log_q.m,
-        e: log_q.e + 1,
-        negative: false,
-    });
-    // From 1.96 to 6.77; at 3.75 the far range begins.
-    if t.e < -30 || (t.e == -30 && t.m < 4_026_531_840) {
-        let z = real_uint(quantile_near(t.m >> (-30 - t.e) as u32), -30);
-        return Real {
-            m: z.m,
-            e: z.e,
-            negative,
-        };
-    }
-    let z = real_uint(quantile_far(t.m >> (-29 - t.e) as u32), -29);
+    let z = real_quantile(real_uint(a, -33), real_uint(0u32.wrapping_sub(a), -33));
     Real {
         m: z.m,
         e: z.e,
@@ -131,42 +116,33 @@ pub fn real_normal_quantile(u: u32) -> Real {
     }
 }
 
-/// The mass of the normal distribution above |z|.
+/// The mass of the normal distribution from 0 to |z|, for z^2/2 = w < 1.
 #[inline]
 #[must_use]
-pub fn real_normal_tail(z: Real) -> Real {
-    let half_square = real_shift(real_square(z), -1);
-    if z.m == 0 || half_square.e <= -32 {
-        let w = real_fraction(half_square);
-        let mut p = 171_074 - mulhi(w, 14_679);
-        p = 1_288_308 - mulhi(w, p);
-        p = 7_928_138 - mulhi(w, p);
-        p = 40_795_163 - mulhi(w, p);
-        p = 171_344_265 - mulhi(w, p);
-        p = 571_148_009 - mulhi(w, p);
-        p = 1_713_444_047 - mulhi(w, p);
-        let mass = real_multiply(
-            Real {
-                m: z.m,
-                e: z.e,
-                negative: false,
-            },
-            real_uint(p, -32),
-        );
-        return real_subtract(
-            Real {
-                m: 0x8000_0000,
-                e: -32,
-                negative: false,
-            },
-            mass,
-        );
-    }
-    let four = Real {
-        m: 0x8000_0000,
-        e: -29,
-        negative: false,
-    };
+pub fn real_normal_near(z: Real, w: Real) -> Real {
+    let x = real_fraction(w);
+    let mut p = 171_074 - mulhi(x, 14_679);
+    p = 1_288_308 - mulhi(x, p);
+    p = 7_928_138 - mulhi(x, p);
+    p = 40_795_163 - mulhi(x, p);
+    p = 171_344_265 - mulhi(x, p);
+    p = 571_148_009 - mulhi(x, p);
+    p = 1_713_444_047 - mulhi(x, p);
+    real_multiply(
+        Real {
+            m: z.m,
+            e: z.e,
+            negative: false,
+        },
+        real_uint(p, -32),
+    )
+}
+
+/// The mass of the normal distribution above |z|, for z^2/2 >= 1.
+#[inline]
+#[must_use]
+pub fn real_normal_far(z: Real) -> Real {
+    let four = real_uint(4, 0);
     let sum = real_add(
         Real {
             m: z.m,
@@ -185,6 +161,28 @@ pub fn real_normal_tail(z: Real) -> Real {
     p = horner(423_049_695, s, p);
     p = horner(329_745, s, p);
     real_multiply(real_gaussian(z), real_uint(p as u32, -32))
+}
+
+/// The mass of the normal distribution above |z|.
+#[inline]
+#[must_use]
+pub fn real_normal_tail(z: Real) -> Real {
+    let w = real_shift(real_square(z), -1);
+    if z.m == 0 || w.e <= -32 {
+        return real_subtract(real_uint(1, -1), real_normal_near(z, w));
+    }
+    real_normal_far(z)
+}
+
+/// The mass of the normal distribution from 0 to |z|.
+#[inline]
+#[must_use]
+pub fn real_normal_mass(z: Real) -> Real {
+    let w = real_shift(real_square(z), -1);
+    if z.m == 0 || w.e <= -32 {
+        return real_normal_near(z, w);
+    }
+    real_subtract(real_uint(1, -1), real_normal_far(z))
 }
 
 /// The fraction whose midpoint's quantile is z: floor(2^32 Phi(z)), and ~ of it for -z.

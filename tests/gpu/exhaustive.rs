@@ -11,7 +11,10 @@ use std::time::Instant;
 
 use corput::catalog::{Engine, Options, Request, Sequence};
 use corput::kernels::{Evaluator, Generator};
-use corput::reference::{elementary, radical_inverse, unit};
+use corput::reference::real::{Real, real, real_float};
+use corput::reference::{
+    elementary, exponential, logarithm, normal_quantile, radical_inverse, unit,
+};
 use corput::vulkan::Device;
 use sha2::{Digest, Sha256};
 
@@ -24,7 +27,8 @@ const CHUNK: u32 = 1 << 22;
 /// A function and its inputs: first, first + stride, ...
 struct Case {
     name: &'static str,
-    /// Number of the function in `evaluate.comp`.
+    kernel: &'static str,
+    /// Number of the function in it.
     id: u32,
     first: u32,
     stride: u32,
@@ -34,9 +38,10 @@ struct Case {
     hashes: [&'static str; 2],
 }
 
-const CASES: [Case; 4] = [
+const CASES: [Case; 8] = [
     Case {
         name: "unit and van der Corput, u = k << 8",
+        kernel: "evaluate",
         id: 4,
         first: 0,
         stride: 256,
@@ -48,6 +53,7 @@ const CASES: [Case; 4] = [
     },
     Case {
         name: "unit and van der Corput, u = k << 8 | 1",
+        kernel: "evaluate",
         id: 4,
         first: 1,
         stride: 256,
@@ -59,6 +65,7 @@ const CASES: [Case; 4] = [
     },
     Case {
         name: "cos_sin, u = k << 8",
+        kernel: "evaluate",
         id: 5,
         first: 0,
         stride: 256,
@@ -70,6 +77,7 @@ const CASES: [Case; 4] = [
     },
     Case {
         name: "sqrt, every float of [1, 4)",
+        kernel: "evaluate",
         id: 6,
         first: 0x3f80_0000,
         stride: 1,
@@ -79,7 +87,93 @@ const CASES: [Case; 4] = [
             "5a0913f53df2c7f02c43c2f46b206987434526b97c973115afe95f646c48eedc",
         ],
     },
+    Case {
+        name: "-ln(1 - u), u = k << 8 | 1",
+        kernel: "evaluate_elementary",
+        id: 0,
+        first: 1,
+        stride: 256,
+        reference: negative_log,
+        hashes: [
+            "142bb87e0a2ef9903ff30617dc91f811ebe41dc718401e31f709372923b2c969",
+            "eebb96c19baad59233222667d52088f3fb7bf0dbb93cd0532f99d3e6e6a876cd",
+        ],
+    },
+    Case {
+        name: "ln and log2, every float of [1/2, 2)",
+        kernel: "evaluate_elementary",
+        id: 1,
+        first: 0x3f00_0000,
+        stride: 1,
+        reference: log,
+        hashes: [
+            "3f2a2f037a9c12173b2cdc1620fc808f41a86b0d76b51072afa97b1e96d7d8d1",
+            "83ab0d0a36d1c222daba58fcab529da1fe43339c9323ae8de97ed76ce07e44ed",
+        ],
+    },
+    Case {
+        name: "exp2, every float of [-2, -1/2)",
+        kernel: "evaluate_elementary",
+        id: 2,
+        first: 0xbf00_0000,
+        stride: 1,
+        reference: exp2,
+        hashes: [
+            "76c0c5b9819680eddc43d60105337613df2cb41f98f52011035e80f92cc6ebfa",
+            "696aa9e8d2948d379b36ef98a072b2410ffe1536e7d03b0bae6b9f1d48ab4d67",
+        ],
+    },
+    Case {
+        name: "normal quantile, u = k << 8 | 1",
+        kernel: "evaluate_elementary",
+        id: 4,
+        first: 1,
+        stride: 256,
+        reference: normal_quantile,
+        hashes: [
+            "15fd71a8b98a27677b6c24d1cc5c97934f58eaef9cf1e64a07d5464d86f9e5a1",
+            "6ee42a9995fd5d7129ae7361c52fad583cedfd473c0b278b1167e591dfeee936",
+        ],
+    },
 ];
+
+fn words(a: Real) -> [u32; 2] {
+    [a.m, ((a.e as u32) << 1) | u32::from(a.negative)]
+}
+
+fn negative_log(u: u32) -> [u32; 4] {
+    let [m, e] = words(logarithm::real_negative_log(u));
+    [logarithm::negative_log(u).to_bits(), m, e, 0]
+}
+
+fn log(bits: u32) -> [u32; 4] {
+    let x = f32::from_bits(bits);
+    let [m, e] = words(logarithm::real_log(real(x)));
+    [
+        logarithm::log(x).to_bits(),
+        logarithm::log2(x).to_bits(),
+        m,
+        e,
+    ]
+}
+
+/// Also of the same float with its exponent in a range that no result leaves.
+fn exp2(bits: u32) -> [u32; 4] {
+    let x = f32::from_bits((bits & 0x807f_ffff) | ((103 + ((bits >> 23) & 31)) << 23));
+    let gaussian = real_float(exponential::real_gaussian(real(x)));
+    let whole = exponential::exp2(f32::from_bits(bits));
+    [whole, exponential::exp2(x), exponential::exp(x), gaussian].map(f32::to_bits)
+}
+
+fn normal_quantile(u: u32) -> [u32; 4] {
+    let z = normal_quantile::real_normal_quantile(u);
+    let floats = [
+        normal_quantile::normal_quantile(u),
+        normal_quantile::inverse_erf(u),
+    ];
+    let [z_bits, erf_bits] = floats.map(f32::to_bits);
+    [z_bits, erf_bits, normal_quantile::normal_fraction(z), 0]
+}
 
 fn unit(u: u32) -> [u32; 4] {
     let floor = unit::unit_floor(u).to_bits();
@@ -135,7 +229,7 @@ fn compared(evaluator: &Evaluator, case: &Case, stride: u32, count: u64) -> Stri
 }
 
 fn evaluator(device: &Arc<Device>, case: &Case) -> Evaluator {
-    Evaluator::new(device, "evaluate", case.id).unwrap_or_else(|error| panic!("{error}"))
+    Evaluator::new(device, case.kernel, case.id).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// All 2^24 inputs, but only each 16th where all would take longer than 20 s.
@@ -201,6 +295,61 @@ fn every_angle() {
 #[ignore = "minutes"]
 fn every_root() {
     every_word(&CASES[3]);
+}
+
+#[test]
+#[ignore = "minutes"]
+fn every_log_of_a_fraction() {
+    every_word(&CASES[4]);
+}
+
+#[test]
+#[ignore = "minutes"]
+fn every_log_of_a_float() {
+    every_word(&CASES[5]);
+}
+
+#[test]
+#[ignore = "minutes"]
+fn every_exponential() {
+    every_word(&CASES[6]);
+}
+
+#[test]
+#[ignore = "minutes"]
+fn every_normal_quantile() {
+    every_word(&CASES[7]);
+}
+
+/// The worst error of floats over all 2^32 fractions, against the judge: by no device.
+#[test]
+#[ignore = "minutes"]
+fn every_log_and_quantile_is_within_its_bound() {
+    use corput::judge;
+    let worst = |error: &(dyn Fn(u32) -> f64 + Sync)| {
+        let parts: Vec<u32> = (0..256).collect();
+        let all = std::sync::Mutex::new(0f64);
+        in_parts(&parts, |_, parts| {
+            for part in parts {
+                let words = part << 24..=(part << 24) | 0xff_ffff;
+                let worst = words.map(error).fold(0.0, f64::max);
+                let mut all = all
+                    .lock()
+                    .unwrap_or_else(std::sync::PoisonError::into_inner);
+                *all = all.max(worst);
+            }
+        });
+        all.into_inner().unwrap_or(f64::NAN)
+    };
+    let log = worst(&|u| judge::ulp_error(logarithm::negative_log(u), judge::negative_log(u)));
+    let quantile = worst(&|u| {
+        judge::ulp_error(
+            normal_quantile::normal_quantile(u),
+            judge::normal_quantile(u),
+        )
+    });
+    println!("-ln(1 - u): {log:.4} ULP; normal quantile: {quantile:.4} ULP");
+    assert!(log < 0.51 && quantile < 0.54, "{log} {quantile}");
 }
 
 /// As [`every_word`]: the odometer in base 3, and a table's division in base 8161.

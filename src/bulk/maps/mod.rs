@@ -1,6 +1,8 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
+mod environment;
 mod hemisphere;
+mod line;
 mod scattering;
 mod spherical;
 
@@ -13,7 +15,13 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
-        Group::Scattering => scattering::sample(profile, id, p, u),
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::sample(profile, id, p, u)
+        }
+        Group::Environment => environment::sample(mapping, profile, u),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::sample(profile, id, p, u)
+        }
     }
 }
 
@@ -25,7 +33,13 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
     let pdf = match mapping.map().group {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
-        Group::Scattering => scattering::pdf(profile, id, p, s),
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::pdf(profile, id, p, s)
+        }
+        Group::Environment => environment::pdf(mapping, profile, s),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::pdf(profile, id, p, s)
+        }
     };
     pdf.to_bits()
 }
@@ -38,6 +52,12 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
-        Group::Scattering => scattering::invert(profile, id, p, s),
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line::invert(profile, id, p, s)
+        }
+        Group::Environment => environment::invert(mapping, s),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::invert(profile, id, p, s)
+        }
     }
 }

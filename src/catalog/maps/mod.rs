@@ -7,7 +7,9 @@
 //! `bulk/maps` with the three functions over the twins, and one in `judge` that
 //! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
 
+mod environment;
 mod hemisphere;
+mod line;
 mod mapping;
 mod scattering;
 mod spherical;
@@ -25,8 +27,24 @@ pub enum Group {
     Hemisphere,
     /// Uniform directions of solid angles.
     Spherical,
-    /// Phase functions and microsurfaces.
-    Scattering,
+    /// Free flight, and one normal distribution.
+    Line,
+    /// Two normal distributions.
+    Normal,
+    /// Pixel filters of polynomials.
+    Filter,
+    /// The truncated Gaussian as a pixel filter.
+    GaussianFilter,
+    /// Environment maps.
+    Environment,
+    /// Phase functions.
+    Phase,
+    /// Visible normals of GGX by a disk.
+    Ggx,
+    /// Visible normals of GGX by spherical caps.
+    GgxCap,
+    /// Microsurfaces of Beckmann.
+    Beckmann,
 }
 
 impl Group {
@@ -35,8 +53,16 @@ impl Group {
     pub fn kernel(self, profile: Profile) -> &'static str {
         let names = match self {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
-            Self::Scattering => ["map_scattering", "map_scattering_native"],
+            Self::Phase => ["map_phase", "map_phase_native"],
+            Self::Ggx => ["map_ggx", "map_ggx_native"],
+            Self::GgxCap => ["map_ggx_cap", "map_ggx_cap_native"],
+            Self::Beckmann => ["map_beckmann", "map_beckmann_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
+            Self::Line => ["map_line", "map_line_native"],
+            Self::Normal => ["map_normal", "map_normal_native"],
+            Self::Filter => ["map_filter", "map_filter_native"],
+            Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
+            Self::Environment => ["map_environment", "map_environment_native"],
         };
         match profile {
             Profile::Exact => names[0],
@@ -100,7 +126,7 @@ pub struct Map {
     pub floor: f64,
     /// Worst error of the pdf of a sample in the exact profile, in ULP.
     pub pdf_ulp: f64,
-    /// Worst absolute error of a coordinate in the native profile.
+    /// Worst error of a coordinate in the native profile: absolute, and relative above 1.
     pub native: f64,
     /// Worst relative error of the pdf in the native profile.
     pub native_pdf: f64,
@@ -135,7 +161,13 @@ impl PartialEq for Map {
 }
 
 /// The groups in the order of the documentation.
-const GROUPS: &[&[Map]] = &[hemisphere::MAPS, spherical::MAPS, scattering::MAPS];
+const GROUPS: &[&[Map]] = &[
+    hemisphere::MAPS,
+    spherical::MAPS,
+    scattering::MAPS,
+    line::MAPS,
+    environment::MAPS,
+];
 
 /// Every map.
 pub fn maps() -> impl Iterator<Item = &'static Map> {

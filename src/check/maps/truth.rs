@@ -3,6 +3,7 @@
 use crate::catalog::{Group, Mapping};
 use crate::interface::{MAP_PARAMETERS, map};
 use crate::judge;
+use crate::judge::environment::EnvironmentTables;
 
 /// Coordinates of the sample and then its pdf, in `f64`; `None` where no judge knows.
 #[must_use]
@@ -11,8 +12,25 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
         Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
-        Group::Scattering => scattering(id, mapping.parameters(), [u[0], u[1]]),
+        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
+            line(id, mapping.parameters(), [u[0], u[1]])
+        }
+        Group::Environment => environment(mapping, u),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering(id, mapping.parameters(), [u[0], u[1]])
+        }
     }
+}
+
+fn environment(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
+    let [width, height, ..] = mapping.words();
+    let tables = EnvironmentTables {
+        width,
+        height,
+        alias: mapping.map().id == map::ENVIRONMENT_ALIAS,
+        words: mapping.tables().first()?,
+    };
+    Some(tables.sample(u))
 }
 
 fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
@@ -48,6 +66,27 @@ fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]
             let ([x, y, z], pdf) = judge::lights::disk_light(vector(0), vector(3), p[6].into(), u);
             Some([x, y, z, pdf])
         }
+        _ => None,
+    }
+}
+
+fn line(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
+    let (first, second) = (f64::from(p[0]), f64::from(p[1]));
+    let one = |[x, pdf]: [f64; 2]| Some([x, pdf, 0.0, 0.0]);
+    let two = |[x, y, pdf]: [f64; 3]| Some([x, y, pdf, 0.0]);
+    // Both coordinates are alike, and independent.
+    let product = |of: &dyn Fn(u32) -> [f64; 2]| {
+        let ([x, p], [y, q]) = (of(u[0]), of(u[1]));
+        two([x, y, p * q])
+    };
+    match id {
+        map::EXPONENTIAL => one(judge::line::exponential(first, u[0])),
+        map::GAUSSIAN => one(judge::line::gaussian(first, u[0])),
+        map::NORMAL_PAIR => product(&|u| judge::line::gaussian(first, u)),
+        map::BOX_MULLER => two(judge::line::box_muller(first, u)),
+        map::FILTER_BOX => product(&|u| judge::line::filter_box(first, u)),
+        map::FILTER_TENT => product(&|u| judge::line::filter_tent(first, u)),
+        map::FILTER_GAUSSIAN => product(&|u| judge::line::filter_gaussian(first, second, u)),
         _ => None,
     }
 }

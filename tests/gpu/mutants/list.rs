@@ -1,5 +1,6 @@
 //! The mutants: mistakes that a port, a refactoring or a compiler could make.
 
+mod elementary;
 mod foundation;
 mod sequences;
 mod sets;
@@ -58,7 +59,12 @@ const fn twice(mut mutant: Mutant) -> Mutant {
 
 /// Every mutant.
 pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
-    [foundation::MUTANTS, sequences::MUTANTS, sets::MUTANTS]
-        .into_iter()
-        .flatten()
+    [
+        elementary::MUTANTS,
+        foundation::MUTANTS,
+        sequences::MUTANTS,
+        sets::MUTANTS,
+    ]
+    .into_iter()
+    .flatten()
 }
