@@ -69,16 +69,19 @@ uvec4 map_sample(uvec3 u) {
         return words(d, WITH_PDF != 0u ? MAP_FUNCTION(cone_pdf)(h, d) : 0.0);
     }
     if (MAP == SPHERICAL_TRIANGLE) {
-        vec3 d = MAP_FUNCTION(spherical_triangle)(triangle(), u.xy);
-        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(spherical_triangle_pdf)(triangle(), d) : 0.0);
+        MAP_STRUCT(SphericalTriangle) seen = triangle();
+        vec3 d = MAP_FUNCTION(spherical_triangle)(seen, u.xy);
+        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(spherical_triangle_pdf)(seen, d) : 0.0);
     }
     if (MAP == SPHERICAL_RECTANGLE) {
-        vec3 d = MAP_FUNCTION(spherical_rectangle)(rectangle(), u.xy);
-        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(spherical_rectangle_pdf)(rectangle(), d) : 0.0);
+        MAP_STRUCT(SphericalRectangle) seen = rectangle();
+        vec3 d = MAP_FUNCTION(spherical_rectangle)(seen, u.xy);
+        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(spherical_rectangle_pdf)(seen, d) : 0.0);
     }
     if (MAP == SPHERE_LIGHT) {
-        vec3 d = MAP_FUNCTION(sphere_light)(sphere(), u.xy);
-        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(sphere_light_pdf)(sphere(), d) : 0.0);
+        MAP_STRUCT(SphereLight) seen = sphere();
+        vec3 d = MAP_FUNCTION(sphere_light)(seen, u.xy);
+        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(sphere_light_pdf)(seen, d) : 0.0);
     }
     if (MAP == DISK_LIGHT) {
         MAP_STRUCT(LightSample) made = MAP_FUNCTION(disk_light)(disk(), u.xy);
