@@ -1,5 +1,6 @@
 //! The mutants: mistakes that a port, a refactoring or a compiler could make.
 
+mod discrete;
 mod elementary;
 mod foundation;
 mod sequences;
@@ -60,6 +61,7 @@ const fn twice(mut mutant: Mutant) -> Mutant {
 /// Every mutant.
 pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
     [
+        discrete::MUTANTS,
         elementary::MUTANTS,
         foundation::MUTANTS,
         sequences::MUTANTS,
