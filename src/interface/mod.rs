@@ -404,6 +404,14 @@ pub mod map {
     pub const UNIFORM_SPHERE: u32 = 32;
     /// Cone.
     pub const CONE: u32 = 33;
+    /// Spherical triangle.
+    pub const SPHERICAL_TRIANGLE: u32 = 34;
+    /// Spherical rectangle.
+    pub const SPHERICAL_RECTANGLE: u32 = 35;
+    /// Sphere seen from outside or within.
+    pub const SPHERE_LIGHT: u32 = 36;
+    /// Disk, by its area.
+    pub const DISK_LIGHT: u32 = 37;
 
     /// Henyey and Greenstein's phase function.
     pub const HENYEY_GREENSTEIN: u32 = 64;

@@ -4,6 +4,7 @@
 pub mod beckmann;
 pub mod cone;
 pub mod disk;
+pub mod disk_light;
 pub mod environment;
 pub mod filter;
 pub mod frame;
@@ -20,3 +21,6 @@ pub mod normal_quantile;
 pub mod reflect;
 pub mod scattered;
 pub mod sphere;
+pub mod sphere_light;
+pub mod spherical_rectangle;
+pub mod spherical_triangle;

@@ -3,6 +3,7 @@
 mod discrete;
 mod elementary;
 mod foundation;
+mod scattering;
 mod sequences;
 mod sets;
 
@@ -64,6 +65,7 @@ pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
         discrete::MUTANTS,
         elementary::MUTANTS,
         foundation::MUTANTS,
+        scattering::MUTANTS,
         sequences::MUTANTS,
         sets::MUTANTS,
     ]
