@@ -42,7 +42,7 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("1/(2 pi) of 24 bits", Mismatch, Map("environment", PDF),
         "corput/environment.glsl", "2734261102u", "2734261248u"),
     mutant("z rounded into the next row", Mismatch, Map("environment", SAMPLE),
-        "corput/environment.glsl", "order = min(order, corput_envmap_order(CORPUT_ENVMAP_EDGE(row)));", ""),
+        "corput/environment.glsl", "corput_envmap_order(CORPUT_ENVMAP_EDGE(row + 1u)) + 1u);", "corput_envmap_order(CORPUT_ENVMAP_EDGE(row + 1u)));"),
     mutant("azimuths up to the column's end", Mismatch, Map("environment", SAMPLE),
         "corput/environment.glsl", "clamp(place.x, margin, ~margin)", "place.x"),
     mutant("the lower pole by a difference", Mismatch, Map("environment", SAMPLE),
