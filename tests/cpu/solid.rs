@@ -4,6 +4,8 @@
 mod cone;
 #[path = "solid/lights.rs"]
 mod lights;
+#[path = "solid/planar.rs"]
+mod planar;
 #[path = "solid/rectangle.rs"]
 mod rectangle;
 mod significance;
