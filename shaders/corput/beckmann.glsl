@@ -47,17 +47,25 @@ CorputReal3 corput_beckmann_slopes_of(CorputReal3 h) {
     return CorputReal3(corput_real_divide(h.x, h.z), corput_real_divide(h.y, h.z), corput_real_uint(1u, 0));
 }
 
-// e^-r^2 for the slopes.
-CorputReal corput_beckmann_rest(vec2 alpha, CorputReal3 slopes) {
+// r^2 for the slopes.
+CorputReal corput_beckmann_square(vec2 alpha, CorputReal3 slopes) {
     CorputReal x = corput_real_divide(slopes.x, corput_ggx_alpha(alpha.x));
     CorputReal y = corput_real_divide(slopes.y, corput_ggx_alpha(alpha.y));
-    return corput_real_exp(corput_real_negate(corput_real_add(corput_real_square(x), corput_real_square(y))));
+    return corput_real_add(corput_real_square(x), corput_real_square(y));
+}
+
+// e^-r^2 for the slopes.
+CorputReal corput_beckmann_rest(vec2 alpha, CorputReal3 slopes) {
+    return corput_real_exp(corput_real_negate(corput_beckmann_square(alpha, slopes)));
 }
 
 // The fractions that give these slopes.
 uvec2 corput_beckmann_fractions(vec2 alpha, CorputReal3 slopes) {
-    CorputReal rest = corput_beckmann_rest(alpha, slopes);
-    return uvec2(corput_real_fraction_of(corput_real_subtract(corput_real_uint(1u, 0), rest), rest),
+    CorputReal square = corput_beckmann_square(alpha, slopes);
+    // 1 - 2^-s with s = r^2 / ln 2.
+    CorputReal s = corput_real_multiply(square, CorputReal(3098164009u, -31, false));
+    CorputReal radius = corput_real_negate(corput_real_exp2m1(corput_real_negate(s)));
+    return uvec2(corput_real_fraction_of(radius, corput_real_exp(corput_real_negate(square))),
         corput_real_turns(corput_real_multiply(slopes.y, corput_ggx_alpha(alpha.x)),
             corput_real_multiply(slopes.x, corput_ggx_alpha(alpha.y))));
 }

@@ -109,21 +109,40 @@ float corput_ggx_vndf_normal_pdf(CorputGgx g, vec3 normal) {
     if (wo_h.negative) {
         return 0.0;
     }
-    return corput_real_float(corput_real_divide(corput_real_multiply(corput_real_shift(wo_h, 1),
-        corput_ggx_density(g.alpha_x, g.alpha_y, h)), corput_ggx_area(g)));
+    return corput_real_float(corput_ggx_over_area(g, corput_real_multiply(corput_real_shift(wo_h, 1),
+        corput_ggx_density(g.alpha_x, g.alpha_y, h))));
 }
 
-// The fractions that give the normal h, of any length.
-uvec2 corput_ggx_vndf_fractions(CorputGgx g, CorputReal3 h) {
-    CorputReal3 n = corput_real3_normalize(CorputReal3(corput_real_multiply(h.x, g.alpha_y),
-        corput_real_multiply(h.y, g.alpha_x),
-        corput_real_multiply(h.z, corput_real_multiply(g.alpha_x, g.alpha_y))));
+// t2 + A cos, given the height: corput_ggx_vndf_height the other way.
+CorputReal corput_ggx_vndf_rise(CorputReal sine, CorputReal cosine, CorputReal t2, CorputReal w, CorputReal a,
+    CorputReal height) {
+    CorputReal near = corput_real_multiply(a, cosine);
+    if (near.negative == t2.negative) {
+        return corput_real_add(t2, near);
+    }
+    CorputReal first = corput_real_multiply(t2, sine);
+    CorputReal second = corput_real_multiply(w, cosine);
+    first.negative = false;
+    second.negative = false;
+    CorputReal other = corput_real_subtract(t2, near);
+    other.negative = false;
+    return corput_real_divide(corput_real_multiply(height, corput_real_add(first, second)), other);
+}
+
+// The fractions that give the normal h, of any length, with wo.h.
+uvec2 corput_ggx_vndf_fractions(CorputGgx g, CorputReal3 h, CorputReal wo_h) {
+    CorputReal area = corput_real_multiply(g.alpha_x, g.alpha_y);
+    CorputReal3 shrunk = CorputReal3(corput_real_multiply(h.x, g.alpha_y), corput_real_multiply(h.y, g.alpha_x),
+        corput_real_multiply(h.z, area));
+    CorputReal length = corput_real3_length(shrunk);
+    CorputReal3 n = CorputReal3(corput_real_divide(shrunk.x, length), corput_real_divide(shrunk.y, length),
+        corput_real_divide(shrunk.z, length));
     CorputReal3 axis = corput_ggx_vndf_axis(g);
     CorputReal along = corput_real_add(corput_real_multiply(n.x, axis.x), corput_real_multiply(n.y, axis.y));
     CorputReal t1 = corput_real_subtract(corput_real_multiply(n.y, axis.x), corput_real_multiply(n.x, axis.y));
     CorputReal t2 = corput_real_subtract(corput_real_multiply(n.z, axis.z),
         corput_real_multiply(along, g.view.z));
-    CorputReal w = corput_real_add(corput_real_multiply(along, axis.z), corput_real_multiply(n.z, g.view.z));
+    CorputReal w = corput_real_divide(corput_real_multiply(wo_h, area), corput_real_multiply(g.stretch, length));
     CorputReal t2_square = corput_real_square(t2);
     CorputReal w_square = corput_real_square(w);
     CorputReal a = corput_real_sqrt(corput_real_add(t2_square, w_square));
@@ -132,20 +151,26 @@ uvec2 corput_ggx_vndf_fractions(CorputGgx g, CorputReal3 h) {
     if (!t2.negative) {
         q = corput_real_divide(w_square, corput_real_add(a, t2));
     }
+    // A - y and A + y, whose product is 1 - u.
     CorputReal s = corput_real_shift(g.cap_above, -1);
-    CorputReal y = corput_real_subtract(a, corput_real_divide(q, s));
+    CorputReal less = corput_real_divide(q, s);
+    CorputReal more = corput_real_divide(corput_ggx_vndf_rise(axis.z, g.view.z, t2, w, a, n.z), s);
+    CorputReal y = corput_real_subtract(a, less);
     CorputReal square = corput_real_add(corput_real_square(t1), corput_real_square(y));
-    return uvec2(corput_real_fraction(square), corput_real_turns(y, t1));
+    return uvec2(corput_real_fraction_of(square, corput_real_multiply(less, more)), corput_real_turns(y, t1));
 }
 
 // The fractions that give this direction.
 uvec2 corput_ggx_vndf_invert(CorputGgx g, vec3 wi) {
-    return corput_ggx_vndf_fractions(g, corput_real3_add(corput_real3(wi), g.wo));
+    CorputReal3 h = corput_real3_add(corput_real3(wi), g.wo);
+    // Half of |h|^2, which a rounded wi leaves as it is where both nearly cancel.
+    return corput_ggx_vndf_fractions(g, h, corput_real_shift(corput_real3_dot(h, h), -1));
 }
 
 // The fractions that give this normal.
 uvec2 corput_ggx_vndf_normal_invert(CorputGgx g, vec3 normal) {
-    return corput_ggx_vndf_fractions(g, corput_real3(normal));
+    CorputReal3 h = corput_real3(normal);
+    return corput_ggx_vndf_fractions(g, h, corput_real3_dot(g.wo, h));
 }
 
 #endif

@@ -43,10 +43,14 @@ float corput_ggx_vndf_cap_pdf(CorputGgx g, vec3 wi) {
 // The fractions that give this direction.
 uvec2 corput_ggx_vndf_cap_invert(CorputGgx g, vec3 wi) {
     CorputReal3 n = corput_ggx_sphere_sum(g, corput_real3_add(corput_real3(wi), g.wo));
-    CorputReal height = corput_real_divide(corput_real_subtract(n.z, g.excess), g.cap_above);
-    CorputReal rest = corput_real_subtract(corput_real_uint(1u, 0), height);
-    return uvec2(corput_real_fraction_of(rest, height),
-        corput_real_turns(corput_real_subtract(n.y, g.view.y), corput_real_subtract(n.x, g.view.x)));
+    CorputReal x = corput_real_subtract(n.x, g.view.x);
+    CorputReal y = corput_real_subtract(n.y, g.view.y);
+    CorputReal height = corput_real_subtract(n.z, g.excess);
+    CorputReal above = corput_real_add(height, g.cap_below);
+    CorputReal square = corput_real_add(corput_real_square(x), corput_real_square(y));
+    CorputReal below = corput_real_divide(square, above);
+    return uvec2(corput_real_fraction_of(corput_real_divide(below, g.cap_above),
+        corput_real_divide(height, g.cap_above)), corput_real_turns(y, x));
 }
 
 #endif

@@ -99,6 +99,28 @@ pub fn henyey_greenstein_pdf(rest: f32, backward: bool, d: [f64; 3]) -> f64 {
     ((one - g * g) / (wide(4.0) * Wide::pi() * square * square.sqrt())).value()
 }
 
+/// The fractions that give a direction: u = ((1 - g^2) / sqrt(1 + g^2 - 2 g cos) - 1 + g) / (2 g).
+#[must_use]
+pub fn henyey_greenstein_fractions(rest: f32, backward: bool, d: [f64; 3]) -> [f64; 2] {
+    let one = wide(1.0);
+    let magnitude = one - rest.into();
+    let g = if backward { -magnitude } else { magnitude };
+    let [x, y, z] = d.map(Wide::from);
+    let polar = (one - x * x - y * y).sqrt();
+    let cosine = match z.value() {
+        v if v > 0.7 => polar,
+        v if v < -0.7 => -polar,
+        _ => z,
+    };
+    let u = if magnitude.value() == 0.0 {
+        (one + cosine) / wide(2.0)
+    } else {
+        let root = (one + g * g - wide(2.0) * g * cosine).sqrt();
+        ((one - g * g) / root - one + g) / (wide(2.0) * g)
+    };
+    [u.value(), turns(d[1], d[0])]
+}
+
 /// A GGX lobe, by the formulas of Walter et al. 2007 and Heitz 2014.
 #[derive(Clone, Copy, Debug)]
 pub struct Ggx {

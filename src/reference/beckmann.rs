@@ -16,12 +16,12 @@
 //! agrees with a normal to 2^-20, with a direction to 2^-20 + 2^-22 / alpha. Tier I.
 //! Mirror: `shaders/corput/beckmann.glsl`.
 
-use crate::reference::exponential::real_exp;
+use crate::reference::exponential::{real_exp, real_exp2m1};
 use crate::reference::ggx::{ggx_alpha, ggx_stretched};
 use crate::reference::logarithm::real_negative_log;
 use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_multiply, real_negate, real_shift, real_sqrt,
-    real_square, real_subtract, real_uint,
+    real_square, real_uint,
 };
 use crate::reference::real_angle::{real_complement, real_fraction_of, real_turns};
 use crate::reference::real_vector::{
@@ -69,22 +69,39 @@ pub fn beckmann_slopes_of(h: Real3) -> Real3 {
     }
 }
 
+/// r^2 for the slopes.
+#[inline]
+#[must_use]
+pub fn beckmann_square(alpha: Vec2, slopes: Real3) -> Real {
+    let x = real_divide(slopes.x, ggx_alpha(alpha.x));
+    let y = real_divide(slopes.y, ggx_alpha(alpha.y));
+    real_add(real_square(x), real_square(y))
+}
+
 /// e^-r^2 for the slopes.
 #[inline]
 #[must_use]
 pub fn beckmann_rest(alpha: Vec2, slopes: Real3) -> Real {
-    let x = real_divide(slopes.x, ggx_alpha(alpha.x));
-    let y = real_divide(slopes.y, ggx_alpha(alpha.y));
-    real_exp(real_negate(real_add(real_square(x), real_square(y))))
+    real_exp(real_negate(beckmann_square(alpha, slopes)))
 }
 
 /// The fractions that give these slopes.
 #[inline]
 #[must_use]
 pub fn beckmann_fractions(alpha: Vec2, slopes: Real3) -> UVec2 {
-    let rest = beckmann_rest(alpha, slopes);
+    let square = beckmann_square(alpha, slopes);
+    // 1 - 2^-s with s = r^2 / ln 2.
+    let s = real_multiply(
+        square,
+        Real {
+            m: 3_098_164_009,
+            e: -31,
+            negative: false,
+        },
+    );
+    let radius = real_negate(real_exp2m1(real_negate(s)));
     uvec2(
-        real_fraction_of(real_subtract(real_uint(1, 0), rest), rest),
+        real_fraction_of(radius, real_exp(real_negate(square))),
         real_turns(
             real_multiply(slopes.y, ggx_alpha(alpha.x)),
             real_multiply(slopes.x, ggx_alpha(alpha.y)),

@@ -14,7 +14,8 @@
 
 use crate::reference::ggx_lobe::{Ggx, ggx_pdf, ggx_reflected, ggx_sphere_sum};
 use crate::reference::real::{
-    real_add, real_divide, real_multiply, real_shift, real_sqrt, real_subtract, real_uint,
+    real_add, real_divide, real_multiply, real_shift, real_sqrt, real_square, real_subtract,
+    real_uint,
 };
 use crate::reference::real_angle::{real_complement, real_fraction_of, real_turns};
 use crate::reference::real_vector::{Real3, real3, real3_add, real3_dot};
@@ -58,10 +59,17 @@ pub fn ggx_vndf_cap_pdf(g: Ggx, wi: Vec3) -> f32 {
 #[must_use]
 pub fn ggx_vndf_cap_invert(g: Ggx, wi: Vec3) -> UVec2 {
     let n = ggx_sphere_sum(g, real3_add(real3(wi), g.wo));
-    let height = real_divide(real_subtract(n.z, g.excess), g.cap_above);
-    let rest = real_subtract(real_uint(1, 0), height);
+    let x = real_subtract(n.x, g.view.x);
+    let y = real_subtract(n.y, g.view.y);
+    let height = real_subtract(n.z, g.excess);
+    let above = real_add(height, g.cap_below);
+    let square = real_add(real_square(x), real_square(y));
+    let below = real_divide(square, above);
     uvec2(
-        real_fraction_of(rest, height),
-        real_turns(real_subtract(n.y, g.view.y), real_subtract(n.x, g.view.x)),
+        real_fraction_of(
+            real_divide(below, g.cap_above),
+            real_divide(height, g.cap_above),
+        ),
+        real_turns(y, x),
     )
 }

@@ -2,6 +2,8 @@
 
 #[path = "solid/cone.rs"]
 mod cone;
+#[path = "extreme.rs"]
+mod extreme;
 #[path = "solid/lights.rs"]
 mod lights;
 #[path = "solid/planar.rs"]

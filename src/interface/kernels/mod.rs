@@ -178,6 +178,8 @@ const EVALUATORS: &[Kernel] = &[
     evaluate("evaluate_native", "evaluate.comp", &[("KERNEL_NATIVE", "1")], Profile::Native),
     evaluate("evaluate_blue_noise", "evaluate_blue_noise.comp", &[], Profile::Integer),
     evaluate("evaluate_blue_noise_portable", "evaluate_blue_noise.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_discrete", "evaluate_discrete.comp", &[], Profile::Integer),
+    evaluate("evaluate_discrete_portable", "evaluate_discrete.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_domain", "evaluate_domain.comp", &[], Profile::Integer),
     evaluate("evaluate_domain_portable", "evaluate_domain.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_elementary", "evaluate_elementary.comp", &[], Profile::Integer),

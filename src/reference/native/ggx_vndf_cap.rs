@@ -43,10 +43,14 @@ pub fn native_ggx_vndf_cap_pdf(g: NativeGgx, wi: Vec3) -> f32 {
 #[must_use]
 pub fn native_ggx_vndf_cap_invert(g: NativeGgx, wi: Vec3) -> UVec2 {
     let n = native_ggx_sphere_sum(g, wi + g.wo);
-    let height = native_ggx_quotient(n.z - g.excess, g.cap_above);
     let around = vec2(n.x - g.view.x, n.y - g.view.y);
+    let height = n.z - g.excess;
+    let below = native_ggx_quotient(around.dot(around), height + g.cap_below);
     uvec2(
-        native_fraction_of(1.0 - height, height),
+        native_fraction_of(
+            native_ggx_quotient(below, g.cap_above),
+            native_ggx_quotient(height, g.cap_above),
+        ),
         native_fraction(native_turns(around)),
     )
 }

@@ -1,6 +1,7 @@
 //! Lights: spheres and disks.
 
-use super::tools::{Truth, doubles, extreme, grid, random, relative, truth, turn_distance, unit};
+use super::extreme::extreme;
+use super::tools::{Truth, doubles, grid, random, relative, truth, turn_distance, unit};
 use corput::glam::{UVec2, Vec3, uvec2, vec3};
 use corput::judge::{lights as judge, ulp_error};
 use corput::reference::disk_light::*;
@@ -86,7 +87,6 @@ fn naive_sphere([x, y, z, r]: [f32; 4], u: UVec2) -> (Vec3, f32) {
 
 #[test]
 fn extreme_lights() {
-    println!("| row | input | naive | ours | threshold |");
     for (t, direction) in grouped(&truth("sphere-light")) {
         let p: [f32; 4] = floats(t);
         let got = sphere_light(sphere(p), t.u);

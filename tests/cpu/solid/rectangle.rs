@@ -1,6 +1,7 @@
 //! Spherical rectangles.
 
-use super::tools::{doubles, excess, extreme, grid, integrated, random, relative, truth, unit};
+use super::extreme::extreme;
+use super::tools::{doubles, excess, grid, integrated, random, relative, truth, unit};
 use corput::glam::{Vec3, uvec2, vec3};
 use corput::judge::{spherical_triangle as judge, ulp_error};
 use corput::reference::native::spherical_rectangle as native;
@@ -49,7 +50,6 @@ fn girard(p: [f32; 9]) -> f32 {
 
 #[test]
 fn extreme_rectangles() {
-    println!("| row | input | naive | ours | threshold |");
     for t in truth("spherical-rectangle") {
         let mut p = [0.0; 9];
         for (to, from) in p.iter_mut().zip(&t.parameters) {

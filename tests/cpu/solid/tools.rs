@@ -78,13 +78,6 @@ pub fn relative(got: f64, truth: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Prints the row of an extreme case, and demands that ours is right and the common formula
-/// is not, if it is said to fail.
-pub fn extreme(row: u32, input: &str, naive: f64, ours: f64, threshold: f64) {
-    println!("| {row} | {input} | {naive:.1e} | {ours:.1e} | {threshold:.0e} |");
-    assert!(ours <= threshold, "row {row}, {input}: {ours:e}");
-}
-
 /// The coordinates as `f64`.
 pub fn doubles(v: Vec3) -> [f64; 3] {
     v.to_array().map(f64::from)

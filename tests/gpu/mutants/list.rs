@@ -1,7 +1,9 @@
 //! The mutants: mistakes that a port, a refactoring or a compiler could make.
 
+mod discrete;
 mod elementary;
 mod foundation;
+mod scattering;
 mod sequences;
 mod sets;
 
@@ -60,8 +62,10 @@ const fn twice(mut mutant: Mutant) -> Mutant {
 /// Every mutant.
 pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
     [
+        discrete::MUTANTS,
         elementary::MUTANTS,
         foundation::MUTANTS,
+        scattering::MUTANTS,
         sequences::MUTANTS,
         sets::MUTANTS,
     ]
