@@ -400,6 +400,13 @@ pub mod map {
     /// Hemisphere, cosine-weighted, polar.
     pub const COSINE_HEMISPHERE_POLAR: u32 = 4;
 
+    /// Triangle in the plane.
+    pub const TRIANGLE: u32 = 16;
+    /// Regular polygon.
+    pub const REGULAR_POLYGON: u32 = 17;
+    /// Annulus.
+    pub const ANNULUS: u32 = 18;
+
     /// Sphere.
     pub const UNIFORM_SPHERE: u32 = 32;
     /// Cone.

@@ -11,6 +11,7 @@ pub mod lights;
 pub mod line;
 mod maps;
 mod normal;
+pub mod planar;
 pub mod random;
 mod scattering;
 pub mod spherical;

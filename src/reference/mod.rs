@@ -24,6 +24,7 @@
 )]
 
 pub mod angle;
+pub mod annulus;
 pub mod arc;
 pub mod beckmann;
 pub mod bits;
@@ -76,6 +77,7 @@ pub mod real_angle;
 pub mod real_frame;
 pub mod real_vector;
 pub mod reflect;
+pub mod regular_polygon;
 pub mod scattered;
 pub mod scrambled_radical_inverse;
 pub mod screen_space;
@@ -86,5 +88,6 @@ pub mod sphere_light;
 pub mod spherical_rectangle;
 pub mod spherical_triangle;
 pub mod stratified;
+pub mod triangle;
 pub mod unit;
 pub mod wide;

@@ -6,6 +6,8 @@ mod cone;
 mod extreme;
 #[path = "solid/lights.rs"]
 mod lights;
+#[path = "solid/planar.rs"]
+mod planar;
 #[path = "solid/rectangle.rs"]
 mod rectangle;
 mod significance;

@@ -3,6 +3,7 @@
 mod environment;
 mod hemisphere;
 mod line;
+mod planar;
 mod scattering;
 mod spherical;
 
@@ -14,6 +15,7 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
     let (id, p) = (mapping.map().id, mapping.parameters());
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
+        Group::Planar => planar::sample(profile, id, p, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::sample(profile, id, p, u)
@@ -32,6 +34,7 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
     let s = s.map(f32::from_bits);
     let pdf = match mapping.map().group {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
+        Group::Planar => planar::pdf(profile, id, p, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::pdf(profile, id, p, s)
@@ -51,6 +54,7 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
     let s = s.map(f32::from_bits);
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
+        Group::Planar => planar::invert(profile, id, p, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::invert(profile, id, p, s)

@@ -11,6 +11,7 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     let id = mapping.map().id;
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
+        Group::Planar => Some(planar(id, mapping.parameters(), [u[0], u[1]])),
         Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line(id, mapping.parameters(), [u[0], u[1]])
@@ -31,6 +32,16 @@ fn environment(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
         words: mapping.tables().first()?,
     };
     Some(tables.sample(u))
+}
+
+fn planar(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> [f64; 4] {
+    let vertex = |i: usize| [p[i], p[i + 1]].map(f64::from);
+    let [x, y, pdf] = match id {
+        map::TRIANGLE => judge::planar::triangle([vertex(0), vertex(2), vertex(4)], u),
+        map::REGULAR_POLYGON => judge::planar::regular_polygon(p[0].to_bits(), u),
+        _ => judge::planar::annulus(p[0], u),
+    };
+    [x, y, pdf, 0.0]
 }
 
 fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {

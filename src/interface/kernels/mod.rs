@@ -228,6 +228,8 @@ const MAPPERS: &[Kernel] = &[
     maps("map_hemisphere_native", "map_hemisphere.comp", MAPPED, Profile::Native),
     maps("map_phase", "map_phase.comp", MAPPED, Profile::Integer),
     maps("map_phase_native", "map_phase.comp", MAPPED, Profile::Native),
+    maps("map_planar", "map_planar.comp", MAPPED, Profile::Integer),
+    maps("map_planar_native", "map_planar.comp", MAPPED, Profile::Native),
     maps("map_spherical", "map_spherical.comp", MAPPED, Profile::Integer),
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
     maps("map_line", "map_line.comp", MAPPED, Profile::Integer),

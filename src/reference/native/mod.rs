@@ -1,6 +1,7 @@
 //! The native profile's formulas in `f32`: a twin by formula, not by bits, since each
 //! device has functions of its own.
 
+pub mod annulus;
 pub mod beckmann;
 pub mod cone;
 pub mod disk;
@@ -20,7 +21,9 @@ pub mod henyey_greenstein;
 pub mod normal_quantile;
 pub mod reflect;
 pub mod scattered;
+pub mod regular_polygon;
 pub mod sphere;
 pub mod sphere_light;
 pub mod spherical_rectangle;
 pub mod spherical_triangle;
+pub mod triangle;
