@@ -131,12 +131,17 @@ CorputReal3 corput_ggx_sphere_sum(CorputGgx g, CorputReal3 h) {
     return corput_real3_scale(shrunk, scale);
 }
 
+// wo + wi, a multiple of the normal between them. The length of a rounded wi, 2^-25 off, would
+// turn that of nearly opposite directions.
+CorputReal3 corput_ggx_half(CorputGgx g, vec3 wi) {
+    return corput_real3_add(corput_real3_normalize(corput_real3(wi)), g.wo);
+}
+
 // The pdf D(h) / (2 area) of a reflected direction; 0 outside the cap.
 float corput_ggx_pdf(CorputGgx g, vec3 wi) {
-    CorputReal3 i = corput_real3(wi);
-    CorputReal3 h = corput_real3_add(i, g.wo);
+    CorputReal3 h = corput_ggx_half(g, wi);
     // Nothing is outside above the horizon, whatever rounding says.
-    if (i.z.negative && corput_real_less(corput_ggx_sphere_sum(g, h).z, g.excess)) {
+    if (corput_real_less(h.z, g.wo.z) && corput_real_less(corput_ggx_sphere_sum(g, h).z, g.excess)) {
         return 0.0;
     }
     CorputReal pdf = corput_ggx_over_area(g, corput_ggx_density(g.alpha_x, g.alpha_y, h));

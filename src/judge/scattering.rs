@@ -253,7 +253,7 @@ impl Ggx {
     /// The pdf of reflected directions at a direction, taken as exact: 0 outside the cap.
     #[must_use]
     pub fn pdf(&self, wi: [f64; 3]) -> f64 {
-        let wi = wi.map(Wide::from);
+        let wi = normalized(wi.map(Wide::from));
         let h = normalized(sum(wi, self.wo));
         let v = normalized(self.stretched(self.wo));
         // The same facet of the unit sphere reflects V to V'.
@@ -268,7 +268,7 @@ impl Ggx {
     /// The cosine between view and normal on the unit sphere, for a reflected direction.
     #[must_use]
     pub fn sphere_cosine(&self, wi: [f64; 3]) -> f64 {
-        let h = sum(wi.map(Wide::from), self.wo);
+        let h = sum(normalized(wi.map(Wide::from)), self.wo);
         let n = normalized([h[0] / self.alpha[0], h[1] / self.alpha[1], h[2]]);
         dot(normalized(self.stretched(self.wo)), n).value()
     }
@@ -276,7 +276,7 @@ impl Ggx {
     /// The fractions of [`Self::vndf_cap`] for a direction.
     #[must_use]
     pub fn cap_fractions(&self, wi: [f64; 3]) -> [f64; 2] {
-        let h = sum(wi.map(Wide::from), self.wo);
+        let h = sum(normalized(wi.map(Wide::from)), self.wo);
         let v = normalized(self.stretched(self.wo));
         let n = normalized([h[0] / self.alpha[0], h[1] / self.alpha[1], h[2]]);
         let [x, y, z] = sum(scale(n, wide(2.0) * dot(v, n)), scale(v, wide(-1.0)));

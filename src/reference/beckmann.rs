@@ -10,10 +10,10 @@
 //! directions may lie below the horizon. No normal lies beyond r = 4.71, for 1 - u is at
 //! least 2^-32. Pdf: with respect to solid angle: D cos of normals, D cos / (4 |wo.h|) of
 //! directions, which is infinite where wo is perpendicular to the normal: the largest
-//! float. Errors: normals and their pdf 0.6 ULP; directions 0.6 ULP, or 2^-28 of the
-//! larger of wo and wi, the pdf of a sample 0.6 ULP or 2^-30 / |wo.h|. The pdf of a
-//! normal 2^-23 of it, and of a direction 2^-24 / alpha, see ggx_lobe.glsl. The inverse
-//! agrees with a normal to 2^-20, with a direction to 2^-20 + 2^-22 / alpha. Tier I.
+//! float. Errors: normals and their pdf 0.6 ULP; directions half a ULP and 2^-26, the pdf
+//! of a sample 0.6 ULP or 2^-30 / |wo.h|. The pdf of a normal 2^-23 of it, and of a
+//! direction 2^-24 / alpha, see ggx_lobe.glsl. The inverse agrees with a normal to 2^-20,
+//! with a direction to 2^-20 + 2^-22 / alpha. Tier I.
 //! Mirror: `shaders/corput/beckmann.glsl`.
 
 use crate::reference::exponential::{real_exp, real_exp2m1};
@@ -173,7 +173,7 @@ pub fn beckmann(alpha: Vec2, wo: Vec3, u: UVec2) -> Scattered {
 #[must_use]
 pub fn beckmann_pdf(alpha: Vec2, wo: Vec3, wi: Vec3) -> f32 {
     let o = real3_normalize(real3(wo));
-    let h = real3_add(real3(wi), o);
+    let h = real3_add(real3_normalize(real3(wi)), o);
     if h.z.m == 0 {
         return 0.0;
     }
@@ -190,5 +190,6 @@ pub fn beckmann_pdf(alpha: Vec2, wo: Vec3, wi: Vec3) -> f32 {
 #[must_use]
 pub fn beckmann_invert(alpha: Vec2, wo: Vec3, wi: Vec3) -> UVec2 {
     let o = real3_normalize(real3(wo));
-    beckmann_fractions(alpha, beckmann_slopes_of(real3_add(real3(wi), o)))
+    let h = real3_add(real3_normalize(real3(wi)), o);
+    beckmann_fractions(alpha, beckmann_slopes_of(h))
 }

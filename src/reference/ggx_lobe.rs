@@ -186,14 +186,21 @@ pub fn ggx_sphere_sum(g: Ggx, h: Real3) -> Real3 {
     real3_scale(shrunk, scale)
 }
 
+/// wo + wi, a multiple of the normal between them. The length of a rounded wi, 2^-25 off, would
+/// turn that of nearly opposite directions.
+#[inline]
+#[must_use]
+pub fn ggx_half(g: Ggx, wi: Vec3) -> Real3 {
+    real3_add(real3_normalize(real3(wi)), g.wo)
+}
+
 /// The pdf D(h) / (2 area) of a reflected direction; 0 outside the cap.
 #[inline]
 #[must_use]
 pub fn ggx_pdf(g: Ggx, wi: Vec3) -> f32 {
-    let i = real3(wi);
-    let h = real3_add(i, g.wo);
+    let h = ggx_half(g, wi);
     // Nothing is outside above the horizon, whatever rounding says.
-    if i.z.negative && real_less(ggx_sphere_sum(g, h).z, g.excess) {
+    if real_less(h.z, g.wo.z) && real_less(ggx_sphere_sum(g, h).z, g.excess) {
         return 0.0;
     }
     let pdf = ggx_over_area(g, ggx_density(g.alpha_x, g.alpha_y, h));

@@ -93,13 +93,16 @@ float corput_native_ggx_vndf_normal_pdf(CorputNativeGgx g, vec3 normal) {
         corput_native_ggx_area(g));
 }
 
-// t2 + A cos, given the height: corput_native_ggx_vndf_height the other way.
-float corput_native_ggx_vndf_rise(float sine, float cosine, float t2, float w, float a, float height) {
+// t2 + A cos; where the terms differ in sign, by the difference of the squares of t2 sin and
+// w cos, which is as exact as the sine.
+float corput_native_ggx_vndf_rise(float sine, float cosine, float t2, float w, float a) {
     float near = a * cosine;
     if (near * t2 >= 0.0) {
         return t2 + near;
     }
-    return height * (abs(t2 * sine) + abs(w * cosine)) / abs(t2 - near);
+    float first = t2 * sine;
+    float second = w * cosine;
+    return (first + second) * (abs(first) + abs(second)) / abs(t2 - near);
 }
 
 // The fractions that give the normal h, of any length, with wo.h.
@@ -120,7 +123,7 @@ uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h, float wo_h) {
     }
     // A - y and A + y, whose product is 1 - u.
     float less = corput_native_ggx_quotient(2.0 * q, g.cap_above);
-    float rise = corput_native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a, n.z);
+    float rise = corput_native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a);
     float more = corput_native_ggx_quotient(2.0 * rise, g.cap_above);
     float y = a - less;
     return uvec2(corput_native_fraction_of(t1 * t1 + y * y, less * more),
@@ -129,7 +132,7 @@ uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h, float wo_h) {
 
 // The fractions that give this direction.
 uvec2 corput_native_ggx_vndf_invert(CorputNativeGgx g, vec3 wi) {
-    vec3 h = wi + g.wo;
+    vec3 h = corput_native_ggx_half(g, wi);
     return corput_native_ggx_vndf_fractions(g, h, 0.5 * dot(h, h));
 }
 

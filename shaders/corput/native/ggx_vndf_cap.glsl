@@ -37,7 +37,7 @@ float corput_native_ggx_vndf_cap_pdf(CorputNativeGgx g, vec3 wi) {
 
 // The fractions that give this direction.
 uvec2 corput_native_ggx_vndf_cap_invert(CorputNativeGgx g, vec3 wi) {
-    vec3 n = corput_native_ggx_sphere_sum(g, wi + g.wo);
+    vec3 n = corput_native_ggx_sphere_sum(g, corput_native_ggx_half(g, wi));
     vec2 around = vec2(n.x - g.view.x, n.y - g.view.y);
     float height = n.z - g.excess;
     float below = corput_native_ggx_quotient(dot(around, around), height + g.cap_below);

@@ -10,8 +10,8 @@
 use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
 use crate::reference::native::ggx::native_ggx_distribution;
 use crate::reference::native::ggx_lobe::{
-    NativeGgx, native_ggx_area, native_ggx_normal, native_ggx_pdf, native_ggx_quotient,
-    native_ggx_reflected,
+    NativeGgx, native_ggx_area, native_ggx_half, native_ggx_normal, native_ggx_pdf,
+    native_ggx_quotient, native_ggx_reflected,
 };
 use crate::reference::native::hemisphere::native_complement;
 use crate::reference::native::scattered::{NativeScattered, native_around, native_fraction_of};
@@ -110,14 +110,17 @@ pub fn native_ggx_vndf_normal_pdf(g: NativeGgx, normal: Vec3) -> f32 {
     )
 }
 
-/// t2 + A cos, given the height: native_ggx_vndf_height the other way.
+/// t2 + A cos; where the terms differ in sign, by the difference of the squares of t2 sin and
+/// w cos, which is as exact as the sine.
 #[must_use]
-pub fn native_ggx_vndf_rise(sine: f32, cosine: f32, t2: f32, w: f32, a: f32, height: f32) -> f32 {
+pub fn native_ggx_vndf_rise(sine: f32, cosine: f32, t2: f32, w: f32, a: f32) -> f32 {
     let near = a * cosine;
     if near * t2 >= 0.0 {
         return t2 + near;
     }
-    height * ((t2 * sine).abs() + (w * cosine).abs()) / (t2 - near).abs()
+    let first = t2 * sine;
+    let second = w * cosine;
+    (first + second) * (first.abs() + second.abs()) / (t2 - near).abs()
 }
 
 /// The fractions that give the normal h, of any length, with wo.h.
@@ -139,7 +142,7 @@ pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3, wo_h: f32) -> UVec2 {
     }
     // A - y and A + y, whose product is 1 - u.
     let less = native_ggx_quotient(2.0 * q, g.cap_above);
-    let rise = native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a, n.z);
+    let rise = native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a);
     let more = native_ggx_quotient(2.0 * rise, g.cap_above);
     let y = a - less;
     uvec2(
@@ -151,7 +154,7 @@ pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3, wo_h: f32) -> UVec2 {
 /// The fractions that give this direction.
 #[must_use]
 pub fn native_ggx_vndf_invert(g: NativeGgx, wi: Vec3) -> UVec2 {
-    let h = wi + g.wo;
+    let h = native_ggx_half(g, wi);
     native_ggx_vndf_fractions(g, h, 0.5 * h.dot(h))
 }
 

@@ -45,14 +45,24 @@ fn inverses_give_the_fractions_back() {
     }
 }
 
-/// At the edges fractions may be lost, but what comes back gives the same direction.
+/// At the edges fractions may be lost, but what comes back gives the same direction, or one
+/// nearer to it than those of the next fractions are.
 #[test]
 fn at_the_edges_inverses_give_the_same_direction() {
     for lobe in lobes() {
         for u in fractions(500) {
             let d = lobe.sample(u).direction;
-            let back = lobe.sample(lobe.invert(d)).direction;
-            assert!((back - d).length() < 2e-6, "{lobe:?} {u}: {d} {back}");
+            // Rounding may take a normal below the horizon, where no fractions lead.
+            let reflects = !matches!(lobe.kind, Kind::HenyeyGreenstein | Kind::Normal);
+            if reflects && d.z + lobe.wo[2] < 2e-7 {
+                continue;
+            }
+            let v = lobe.invert(d);
+            let back = lobe.sample(v).direction;
+            let beside = |x: u32| (lobe.sample(uvec2(x, v.y)).direction - back).length();
+            let grain = beside(v.x.saturating_sub(1)).max(beside(v.x.saturating_add(1)));
+            let away = (back - d).length();
+            assert!(away < grain.max(2e-6), "{lobe:?} {u}: {d} {back}");
         }
     }
 }
