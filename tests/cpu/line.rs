@@ -143,10 +143,9 @@ fn deviate(counts: &[f64], expected: &[f64]) -> f64 {
     ((chi / freedom).cbrt() - 1.0 + share) / share.sqrt()
 }
 
-/// The statistic of 10^6 random samples in cells of equal mass, which the judge's own
+/// The statistic of random samples in cells of equal mass, which the judge's own
 /// quantiles bound; `bend` distorts the samples.
-fn statistic(mapping: &Mapping, seed: u32, bend: impl Fn(f64) -> f64) -> f64 {
-    const SAMPLES: u32 = 1_000_000;
+fn statistic(mapping: &Mapping, samples: u32, seed: u32, bend: impl Fn(f64) -> f64) -> f64 {
     const CELLS: usize = 24;
     let p = mapping.parameters().map(f64::from);
     let cdf = |x: f64| match mapping.map().name {
@@ -164,13 +163,13 @@ fn statistic(mapping: &Mapping, seed: u32, bend: impl Fn(f64) -> f64) -> f64 {
     let cell = |x: f64| ((cdf(bend(x)) * CELLS as f64) as usize).min(CELLS - 1);
     let lines = mapping.map().coordinates as usize;
     let mut counts = vec![0.0; CELLS.pow(lines as u32)];
-    for i in 0..SAMPLES {
+    for i in 0..samples {
         let i = 2 * i + seed;
         let s = sample(mapping, [mix(i), mix(i ^ 0x5bd1_e995)]);
         let at = s.iter().fold(0, |at, &x| at * CELLS + cell(x));
         counts[at] += 1.0;
     }
-    let expected = vec![f64::from(SAMPLES) / counts.len() as f64; counts.len()];
+    let expected = vec![f64::from(samples) / counts.len() as f64; counts.len()];
     deviate(&counts, &expected)
 }
 
@@ -185,11 +184,16 @@ fn samples_follow_their_densities() {
     let cases = cases();
     let most = threshold(cases.len());
     for (i, (mapping, _, deviation)) in cases.iter().enumerate() {
-        let found = statistic(mapping, 0x1000_0000 + 4_000_000 * i as u32, |x| x);
+        let found = statistic(
+            mapping,
+            1_000_000,
+            0x1000_0000 + 4_000_000 * i as u32,
+            |x| x,
+        );
         println!("{} {found:.2} of {most:.2}", mapping.map().name);
         assert!(found < most, "{} {found}", mapping.map().name);
-        // Samples that are 1 % of the deviation off are seen.
-        let bent = statistic(mapping, 0x1000_0000, |x| x + 0.02 * deviation);
+        // Samples that are 3 % of the deviation off are seen.
+        let bent = statistic(mapping, 200_000, 0x1000_0000, |x| x + 0.03 * deviation);
         assert!(bent > most, "{} bent {bent}", mapping.map().name);
     }
 }
@@ -199,7 +203,8 @@ fn inverses_return_the_fractions() {
     for (mapping, _, _) in cases() {
         let name = mapping.map().name;
         let mut worst = 0;
-        for i in 0..1u32 << 16 {
+        // From 1 on: 0 gives the fraction 0, whose point has no angle.
+        for i in 1..1u32 << 16 {
             let mut u = [mix(3 * i), mix(3 * i + 1), 0];
             u[mapping.map().dimensions as usize..].fill(0);
             let words = map_sample(&mapping, EXACT, u);

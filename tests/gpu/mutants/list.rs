@@ -2,6 +2,7 @@
 
 mod elementary;
 mod foundation;
+mod line;
 mod sequences;
 mod sets;
 
@@ -62,6 +63,7 @@ pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
     [
         elementary::MUTANTS,
         foundation::MUTANTS,
+        line::MUTANTS,
         sequences::MUTANTS,
         sets::MUTANTS,
     ]
