@@ -9,8 +9,8 @@
 // pdf:    with respect to area: 1 / (2 r), (1 - |x|/r) / r, and the normal density over the
 //         mass between the edges, a coordinate; 0 beyond the radius. That of a sample is
 //         the one before its coordinates are rounded.
-// errors: coordinates 0.54 ULP, the Gaussian's 0.6 ULP; pdf of a sample 0.6 ULP, of the
-//         Gaussian 1 ULP.
+// errors: coordinates 0.54 ULP, the Gaussian's 0.6 ULP; pdf of a sample 0.6 ULP, the
+//         Gaussian's 2.5 ULP.
 // cost:   box 60, tent 300, Gaussian 900 integer instructions. tier I.
 // hooks:  none.
 // mirror: src/reference/filter.rs
@@ -53,16 +53,6 @@ float corput_filter_offset(CorputReal d, CorputReal radius, uint u) {
     return corput_real_float(CorputReal(nearer.m, nearer.e, nearer.m != 0u && u < 0x80000000u));
 }
 
-// The point with these distances from the axes.
-vec2 corput_filter_point(CorputReal x, CorputReal y, CorputReal radius, uvec2 u) {
-    return vec2(corput_filter_offset(x, radius, u.x), corput_filter_offset(y, radius, u.y));
-}
-
-// The fractions with these shares of their halves.
-uvec2 corput_filter_fractions(CorputReal x, CorputReal y, vec2 p) {
-    return uvec2(corput_filter_fraction(x, p.x), corput_filter_fraction(y, p.y));
-}
-
 // |x|.
 CorputReal corput_filter_distance(float x) {
     return corput_real(uintBitsToFloat(floatBitsToUint(x) & 0x7fffffffu));
@@ -71,10 +61,12 @@ CorputReal corput_filter_distance(float x) {
 // A square around the centre.
 CorputFilterSample corput_filter_box(float radius, uvec2 u) {
     CorputReal r = corput_real_positive(radius);
-    CorputReal x = corput_real_multiply(r, corput_real_uint(corput_filter_share(u.x), -32));
-    CorputReal y = corput_real_multiply(r, corput_real_uint(corput_filter_share(u.y), -32));
-    CorputReal pdf = corput_real_divide(corput_real_uint(1u, -2), corput_real_square(r));
-    return CorputFilterSample(corput_filter_point(x, y, r, u), corput_real_float(pdf));
+    vec2 p = vec2(0.0);
+    for (uint i = 0u; i < 2u; i++) {
+        CorputReal x = corput_real_multiply(r, corput_real_uint(corput_filter_share(u[i]), -32));
+        p[i] = corput_filter_offset(x, r, u[i]);
+    }
+    return CorputFilterSample(p, corput_gaussian_area_pdf(corput_real_uint(1u, -2), r));
 }
 
 // 1 / (4 r^2) within the square.
@@ -83,15 +75,17 @@ float corput_filter_box_pdf(float radius, vec2 p) {
     if (corput_real_less(r, corput_real_max(corput_filter_distance(p.x), corput_filter_distance(p.y)))) {
         return 0.0;
     }
-    return corput_real_float(corput_real_divide(corput_real_uint(1u, -2), corput_real_square(r)));
+    return corput_gaussian_area_pdf(corput_real_uint(1u, -2), r);
 }
 
 // The fractions that give this offset.
 uvec2 corput_filter_box_invert(float radius, vec2 p) {
     CorputReal r = corput_real_positive(radius);
-    CorputReal x = corput_real_divide(corput_filter_distance(p.x), r);
-    CorputReal y = corput_real_divide(corput_filter_distance(p.y), r);
-    return corput_filter_fractions(x, y, p);
+    uvec2 u = uvec2(0u);
+    for (uint i = 0u; i < 2u; i++) {
+        u[i] = corput_filter_fraction(corput_real_divide(corput_filter_distance(p[i]), r), p[i]);
+    }
+    return u;
 }
 
 // 1 - |x|/r for a sample's coordinate: the root of what lies outside.
@@ -114,27 +108,37 @@ CorputReal corput_tent_share(CorputReal radius, float x) {
 // A pyramid around the centre.
 CorputFilterSample corput_filter_tent(float radius, uvec2 u) {
     CorputReal r = corput_real_positive(radius);
-    uvec2 share = uvec2(corput_filter_share(u.x), corput_filter_share(u.y));
-    CorputReal x_height = corput_tent_height(share.x);
-    CorputReal y_height = corput_tent_height(share.y);
-    CorputReal x = corput_real_multiply(r, corput_tent_distance(share.x, x_height));
-    CorputReal y = corput_real_multiply(r, corput_tent_distance(share.y, y_height));
-    float pdf = corput_gaussian_area_pdf(corput_real_multiply(x_height, y_height), r);
-    return CorputFilterSample(corput_filter_point(x, y, r, u), pdf);
+    CorputReal density = corput_real_uint(1u, 0);
+    vec2 p = vec2(0.0);
+    for (uint i = 0u; i < 2u; i++) {
+        uint share = corput_filter_share(u[i]);
+        CorputReal height = corput_tent_height(share);
+        density = corput_real_multiply(density, height);
+        p[i] = corput_filter_offset(corput_real_multiply(r, corput_tent_distance(share, height)), r, u[i]);
+    }
+    return CorputFilterSample(p, corput_gaussian_area_pdf(density, r));
 }
 
 // (1 - |x|/r) (1 - |y|/r) / r^2.
 float corput_filter_tent_pdf(float radius, vec2 p) {
     CorputReal r = corput_real_positive(radius);
-    CorputReal x = corput_real_max(corput_real_subtract(r, corput_filter_distance(p.x)), corput_real_zero());
-    CorputReal y = corput_real_max(corput_real_subtract(r, corput_filter_distance(p.y)), corput_real_zero());
-    return corput_gaussian_area_pdf(corput_real_multiply(corput_real_divide(x, r), corput_real_divide(y, r)), r);
+    CorputReal density = corput_real_uint(1u, 0);
+    for (uint i = 0u; i < 2u; i++) {
+        CorputReal rest = corput_real_subtract(r, corput_filter_distance(p[i]));
+        rest = corput_real_max(rest, corput_real_zero());
+        density = corput_real_multiply(density, corput_real_divide(rest, r));
+    }
+    return corput_gaussian_area_pdf(density, r);
 }
 
 // The fractions that give this offset.
 uvec2 corput_filter_tent_invert(float radius, vec2 p) {
     CorputReal r = corput_real_positive(radius);
-    return corput_filter_fractions(corput_tent_share(r, p.x), corput_tent_share(r, p.y), p);
+    uvec2 u = uvec2(0u);
+    for (uint i = 0u; i < 2u; i++) {
+        u[i] = corput_filter_fraction(corput_tent_share(r, p[i]), p[i]);
+    }
+    return u;
 }
 
 // The Gaussian of this deviation up to this radius.
@@ -142,7 +146,8 @@ CorputFilterGaussian corput_filter_gaussian_prepare(float radius, float sigma) {
     CorputReal r = corput_real_positive(radius);
     CorputReal s = corput_real_positive(sigma);
     CorputReal edge = corput_real_divide(r, s);
-    return CorputFilterGaussian(r, s, corput_real_normal_mass(edge), corput_real_normal_tail(edge));
+    CorputNormalMasses masses = corput_real_normal_masses(edge);
+    return CorputFilterGaussian(r, s, masses.mass, masses.tail);
 }
 
 // |x| / sigma for a sample's coordinate.
@@ -161,32 +166,39 @@ CorputReal corput_filter_gaussian_density(CorputFilterGaussian f, CorputReal z) 
 
 // A truncated Gaussian around the centre.
 CorputFilterSample corput_filter_gaussian(CorputFilterGaussian f, uvec2 u) {
-    CorputReal x = corput_filter_gaussian_quantile(f, u.x);
-    CorputReal y = corput_filter_gaussian_quantile(f, u.y);
-    CorputReal pdf = corput_filter_gaussian_density(f, x);
-    pdf = corput_real_multiply(pdf, corput_filter_gaussian_density(f, y));
-    x = corput_real_multiply(x, f.sigma);
-    y = corput_real_multiply(y, f.sigma);
-    return CorputFilterSample(corput_filter_point(x, y, f.radius, u), corput_real_float(pdf));
+    CorputReal density = corput_real_uint(1u, 0);
+    vec2 p = vec2(0.0);
+    for (uint i = 0u; i < 2u; i++) {
+        CorputReal z = corput_filter_gaussian_quantile(f, u[i]);
+        density = corput_real_multiply(density, corput_filter_gaussian_density(f, z));
+        p[i] = corput_filter_offset(corput_real_multiply(z, f.sigma), f.radius, u[i]);
+    }
+    return CorputFilterSample(p, corput_real_float(density));
 }
 
 // The truncated density.
 float corput_filter_gaussian_pdf(CorputFilterGaussian f, vec2 p) {
-    CorputReal x = corput_filter_distance(p.x);
-    CorputReal y = corput_filter_distance(p.y);
-    if (corput_real_less(f.radius, corput_real_max(x, y))) {
-        return 0.0;
+    CorputReal density = corput_real_uint(1u, 0);
+    for (uint i = 0u; i < 2u; i++) {
+        CorputReal x = corput_filter_distance(p[i]);
+        if (corput_real_less(f.radius, x)) {
+            return 0.0;
+        }
+        CorputReal z = corput_real_divide(x, f.sigma);
+        density = corput_real_multiply(density, corput_filter_gaussian_density(f, z));
     }
-    x = corput_filter_gaussian_density(f, corput_real_divide(x, f.sigma));
-    y = corput_filter_gaussian_density(f, corput_real_divide(y, f.sigma));
-    return corput_real_float(corput_real_multiply(x, y));
+    return corput_real_float(density);
 }
 
 // The fractions that give this offset.
 uvec2 corput_filter_gaussian_invert(CorputFilterGaussian f, vec2 p) {
-    CorputReal x = corput_real_normal_mass(corput_real_divide(corput_filter_distance(p.x), f.sigma));
-    CorputReal y = corput_real_normal_mass(corput_real_divide(corput_filter_distance(p.y), f.sigma));
-    return corput_filter_fractions(corput_real_divide(x, f.mass), corput_real_divide(y, f.mass), p);
+    uvec2 u = uvec2(0u);
+    for (uint i = 0u; i < 2u; i++) {
+        CorputReal z = corput_real_divide(corput_filter_distance(p[i]), f.sigma);
+        CorputReal mass = corput_real_normal_masses(z).mass;
+        u[i] = corput_filter_fraction(corput_real_divide(mass, f.mass), p[i]);
+    }
+    return u;
 }
 
 #endif

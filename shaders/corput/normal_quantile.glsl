@@ -17,6 +17,12 @@
 
 #include "corput/exponential.glsl"
 
+// The mass of the normal distribution from 0 to some |z|, and beyond it.
+struct CorputNormalMasses {
+    CorputReal mass;
+    CorputReal tail;
+};
+
 // c + x p, for x a fraction of 2^32.
 int corput_horner(int c, uint x, int p) {
     uint product = corput_mulhi(x, uint(p));
@@ -126,27 +132,24 @@ CorputReal corput_real_normal_far(CorputReal z) {
     return corput_real_multiply(corput_real_gaussian(z), corput_real_uint(uint(p), -32));
 }
 
-// The mass of the normal distribution above |z|.
-CorputReal corput_real_normal_tail(CorputReal z) {
+// The masses of the normal distribution within and beyond |z|.
+CorputNormalMasses corput_real_normal_masses(CorputReal z) {
     CorputReal w = corput_real_shift(corput_real_square(z), -1);
-    if (z.m == 0u || w.e <= -32) {
-        return corput_real_subtract(corput_real_uint(1u, -1), corput_real_normal_near(z, w));
+    bool near = z.m == 0u || w.e <= -32;
+    CorputReal part = corput_real_normal_near(z, w);
+    if (!near) {
+        part = corput_real_normal_far(z);
     }
-    return corput_real_normal_far(z);
-}
-
-// The mass of the normal distribution from 0 to |z|.
-CorputReal corput_real_normal_mass(CorputReal z) {
-    CorputReal w = corput_real_shift(corput_real_square(z), -1);
-    if (z.m == 0u || w.e <= -32) {
-        return corput_real_normal_near(z, w);
+    CorputReal rest = corput_real_subtract(corput_real_uint(1u, -1), part);
+    if (near) {
+        return CorputNormalMasses(part, rest);
     }
-    return corput_real_subtract(corput_real_uint(1u, -1), corput_real_normal_far(z));
+    return CorputNormalMasses(rest, part);
 }
 
 // The fraction whose midpoint's quantile is z: floor(2^32 Phi(z)), and ~ of it for -z.
 uint corput_normal_fraction(CorputReal z) {
-    uint tail = corput_real_fraction(corput_real_normal_tail(z));
+    uint tail = corput_real_fraction(corput_real_normal_masses(z).tail);
     return z.negative ? tail : ~tail;
 }
 

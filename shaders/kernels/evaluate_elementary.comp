@@ -42,7 +42,7 @@ uvec4 evaluate(uvec4 a) {
     default:
         p = corput_real(x);
         q = corput_real(moderate(a.y));
-        return uvec4(words(corput_real_normal_tail(q)), bits(corput_real_float(corput_real_normal_density(q))),
+        return uvec4(words(corput_real_normal_masses(q).tail), bits(corput_real_float(corput_real_normal_density(q))),
             corput_normal_fraction(p));
     }
 }

@@ -238,6 +238,10 @@ fn inverse(
     Ok(())
 }
 
+fn norm(coordinates: &[f64]) -> f64 {
+    coordinates.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
 /// Holds the samples of a map in the native profile to its bounds, for these parameter
 /// sets.
 ///
@@ -269,6 +273,7 @@ pub fn judge_native(mapper: &mut Mapper, map: &'static Map, mappings: &[Mapping]
                 continue;
             };
             row.compared += 1;
+            let scale = norm(&truth[..width - 1]).max(1.0);
             let mut ratio = 0.0;
             for (i, (&word, &t)) in got.iter().zip(&truth).enumerate() {
                 let away = (f64::from(f32::from_bits(word)) - t).abs();
@@ -280,7 +285,7 @@ pub fn judge_native(mapper: &mut Mapper, map: &'static Map, mappings: &[Mapping]
                         away / t / map.native_pdf
                     }
                 } else {
-                    away / (map.native * t.abs().max(1.0))
+                    away / (map.native * scale)
                 };
                 if part > ratio || part.is_nan() {
                     ratio = part;

@@ -5,8 +5,8 @@ use crate::judge::{self, ulp_error};
 use crate::reference::exponential::{exp, exp2, real_gaussian, real_power, real_power_complement};
 use crate::reference::logarithm::{log, log2, negative_log, real_log, real_negative_log};
 use crate::reference::normal_quantile::{
-    inverse_erf, normal_fraction, normal_quantile, real_normal_density, real_normal_quantile,
-    real_normal_tail,
+    inverse_erf, normal_fraction, normal_quantile, real_normal_density, real_normal_masses,
+    real_normal_quantile,
 };
 use crate::reference::real::{Real, real, real_float, real_uint};
 
@@ -59,7 +59,7 @@ pub fn reference(name: &str, a: [u32; 4]) -> Option<[u32; 4]> {
             0,
         ],
         "normal_tail" => {
-            let [m, e] = words(real_normal_tail(y));
+            let [m, e] = words(real_normal_masses(y).tail);
             let density = real_float(real_normal_density(y));
             [m, e, density.to_bits(), normal_fraction(real(x))]
         }

@@ -20,6 +20,15 @@ use crate::reference::real::{
     real_sqrt, real_square, real_subtract, real_uint,
 };
 
+/// The mass of the normal distribution from 0 to some |z|, and beyond it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NormalMasses {
+    /// The mass within the edge, on one side.
+    pub mass: Real,
+    /// The mass beyond it.
+    pub tail: Real,
+}
+
 /// c + x p, for x a fraction of 2^32.
 #[inline]
 #[must_use]
@@ -163,33 +172,34 @@ pub fn real_normal_far(z: Real) -> Real {
     real_multiply(real_gaussian(z), real_uint(p as u32, -32))
 }
 
-/// The mass of the normal distribution above |z|.
+/// The masses of the normal distribution within and beyond |z|.
 #[inline]
 #[must_use]
-pub fn real_normal_tail(z: Real) -> Real {
+pub fn real_normal_masses(z: Real) -> NormalMasses {
     let w = real_shift(real_square(z), -1);
-    if z.m == 0 || w.e <= -32 {
-        return real_subtract(real_uint(1, -1), real_normal_near(z, w));
+    let near = z.m == 0 || w.e <= -32;
+    let mut part = real_normal_near(z, w);
+    if !near {
+        part = real_normal_far(z);
     }
-    real_normal_far(z)
-}
-
-/// The mass of the normal distribution from 0 to |z|.
-#[inline]
-#[must_use]
-pub fn real_normal_mass(z: Real) -> Real {
-    let w = real_shift(real_square(z), -1);
-    if z.m == 0 || w.e <= -32 {
-        return real_normal_near(z, w);
+    let rest = real_subtract(real_uint(1, -1), part);
+    if near {
+        return NormalMasses {
+            mass: part,
+            tail: rest,
+        };
     }
-    real_subtract(real_uint(1, -1), real_normal_far(z))
+    NormalMasses {
+        mass: rest,
+        tail: part,
+    }
 }
 
 /// The fraction whose midpoint's quantile is z: floor(2^32 Phi(z)), and ~ of it for -z.
 #[inline]
 #[must_use]
 pub fn normal_fraction(z: Real) -> u32 {
-    let tail = real_fraction(real_normal_tail(z));
+    let tail = real_fraction(real_normal_masses(z).tail);
     if z.negative { tail } else { !tail }
 }
 

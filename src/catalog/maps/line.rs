@@ -32,7 +32,8 @@ const NATIVE_LOG: f64 = 1e-5;
 /// exp of a device may be off by 3 + 2 |x| ULP, for an x of up to 22 that is off itself.
 const NATIVE_EXP: f64 = 1e-4;
 
-const SCALE: &str = "it must be from 1e-15 to 1e15";
+/// Squares of these, times densities at the farthest samples, are floats.
+const SCALE: &str = "it must be from 1e-6 to 1e6";
 
 const SIGMA: Parameter = Parameter {
     name: "sigma",
@@ -50,7 +51,7 @@ const RADIUS: Parameter = Parameter {
     summary: "half the side of its square, in pixels",
 };
 
-const SCALES: &[&[f64]] = &[&[1.0], &[0.37], &[1e-15], &[1e15]];
+const SCALES: &[&[f64]] = &[&[1.0], &[0.37], &[1e-6], &[1e6]];
 
 /// The maps of this group.
 pub(super) const MAPS: &[Map] = &[
@@ -84,7 +85,7 @@ pub(super) const MAPS: &[Map] = &[
         examples: SCALES,
         measure: "length",
         pdf: "e^(-x^2 / (2 sigma^2)) / (sqrt(2 pi) sigma)",
-        ulp: 0.55,
+        pdf_ulp: 1.5,
         summary: "normal distribution of mean 0, by its quantile",
         source: "Giles 2010",
         ..BASE
@@ -97,7 +98,7 @@ pub(super) const MAPS: &[Map] = &[
         prepare: scales,
         examples: SCALES,
         pdf: "e^(-(x^2 + y^2) / (2 sigma^2)) / (2 pi sigma^2)",
-        ulp: 0.55,
+        pdf_ulp: 2.5,
         summary: "two normal distributions by quantiles, which keeps nets",
         source: "Giles 2010",
         ..BASE
@@ -122,7 +123,7 @@ pub(super) const MAPS: &[Map] = &[
         id: map::FILTER_BOX,
         parameters: &[RADIUS],
         prepare: scales,
-        examples: &[&[0.5], &[1.5], &[1e-15], &[1e15]],
+        examples: &[&[0.5], &[1.5], &[1e-6], &[1e6]],
         pdf: "1 / (4 r^2)",
         summary: "offsets in a pixel's square",
         source: "PBRT 4th ed., 8.8.1",
@@ -134,7 +135,7 @@ pub(super) const MAPS: &[Map] = &[
         id: map::FILTER_TENT,
         parameters: &[RADIUS],
         prepare: scales,
-        examples: &[&[1.0], &[2.0], &[1e-15], &[1e15]],
+        examples: &[&[1.0], &[2.0], &[1e-6], &[1e6]],
         pdf: "(1 - |x|/r) (1 - |y|/r) / r^2",
         summary: "offsets by a tent",
         source: "PBRT 4th ed., 8.8.3",
@@ -158,10 +159,11 @@ pub(super) const MAPS: &[Map] = &[
             &[1.0, 1.0],
             &[1e3, 0.1],
             &[6.0, 1.0],
-            &[1e-15, 1e-15],
+            &[1e-6, 1e-6],
         ],
         pdf: "the normal densities over erf(r / (sqrt(2) sigma)), within the radius",
         ulp: 0.6,
+        pdf_ulp: 2.5,
         summary: "offsets by a Gaussian that ends at the radius",
         source: "PBRT 4th ed., 8.8.2, not lowered to 0 at its edge",
         ..BASE
@@ -171,11 +173,11 @@ pub(super) const MAPS: &[Map] = &[
 /// sqrt(2 * 32 ln 2) is the largest radius, a sine of which is off by its share.
 const NATIVE_RADIUS: f64 = 6.7;
 
-/// Numbers within the scale that keeps densities and their squares in float.
+/// Numbers within the scale.
 fn scales(values: &[f64]) -> Result<[f32; MAP_PARAMETERS], usize> {
     let mut words = [0.0; MAP_PARAMETERS];
     for (i, (word, &value)) in words.iter_mut().zip(values).enumerate() {
-        if !(1e-15..=1e15).contains(&value) {
+        if !(1e-6..=1e6).contains(&value) {
             return Err(i);
         }
         *word = value as f32;

@@ -130,7 +130,8 @@ pub struct Map {
     pub floor: f64,
     /// Worst error of the pdf of a sample in the exact profile, in ULP.
     pub pdf_ulp: f64,
-    /// Worst error of a coordinate in the native profile: absolute, and relative above 1.
+    /// Worst error of a coordinate in the native profile: absolute, and of samples longer than
+    /// 1 a share of their length.
     pub native: f64,
     /// Worst relative error of the pdf in the native profile.
     pub native_pdf: f64,

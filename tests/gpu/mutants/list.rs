@@ -4,6 +4,7 @@ mod discrete;
 mod elementary;
 mod foundation;
 mod scattering;
+mod line;
 mod sequences;
 mod sets;
 
@@ -66,6 +67,7 @@ pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
         elementary::MUTANTS,
         foundation::MUTANTS,
         scattering::MUTANTS,
+        line::MUTANTS,
         sequences::MUTANTS,
         sets::MUTANTS,
     ]
