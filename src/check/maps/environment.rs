@@ -20,7 +20,7 @@ const MAPS: &[Light] = &[
     (64, 32, |x, y| if (x, y) == (37, 11) { 1e9 } else { 1.0 }),
     (16, 8, |x, y| if (x, y) == (15, 7) { 1e9 } else { 0.0 }),
     (40, 20, |x, y| {
-        if (5..12).contains(&y) || y == 19 || y == 0 || x < 3 || x > 36 {
+        if (5..12).contains(&y) || y == 19 || y == 0 || !(3..=36).contains(&x) {
             0.0
         } else {
             1.0 + x as f32
