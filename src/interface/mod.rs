@@ -400,10 +400,25 @@ pub mod map {
     /// Hemisphere, cosine-weighted, polar.
     pub const COSINE_HEMISPHERE_POLAR: u32 = 4;
 
+    /// Triangle in the plane.
+    pub const TRIANGLE: u32 = 16;
+    /// Regular polygon.
+    pub const REGULAR_POLYGON: u32 = 17;
+    /// Annulus.
+    pub const ANNULUS: u32 = 18;
+
     /// Sphere.
     pub const UNIFORM_SPHERE: u32 = 32;
     /// Cone.
     pub const CONE: u32 = 33;
+    /// Spherical triangle.
+    pub const SPHERICAL_TRIANGLE: u32 = 34;
+    /// Spherical rectangle.
+    pub const SPHERICAL_RECTANGLE: u32 = 35;
+    /// Sphere seen from outside or within.
+    pub const SPHERE_LIGHT: u32 = 36;
+    /// Disk, by its area.
+    pub const DISK_LIGHT: u32 = 37;
 
     /// Henyey and Greenstein's phase function.
     pub const HENYEY_GREENSTEIN: u32 = 64;

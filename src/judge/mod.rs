@@ -7,12 +7,15 @@
 mod digits;
 pub mod environment;
 mod functions;
+pub mod lights;
 pub mod line;
 mod maps;
 mod normal;
+pub mod planar;
 pub mod random;
 mod scattering;
 pub mod spherical;
+pub mod spherical_triangle;
 mod strata;
 mod transcendental;
 mod wide;

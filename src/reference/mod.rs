@@ -24,6 +24,7 @@
 )]
 
 pub mod angle;
+pub mod annulus;
 pub mod arc;
 pub mod beckmann;
 pub mod bits;
@@ -32,6 +33,7 @@ pub mod cone;
 pub mod discrepancy;
 pub mod discrete;
 pub mod disk;
+pub mod disk_light;
 pub mod distance;
 pub mod domain;
 pub mod domain_draw;
@@ -72,15 +74,20 @@ pub mod radical_inverse;
 pub mod random;
 pub mod real;
 pub mod real_angle;
+pub mod real_frame;
 pub mod real_vector;
 pub mod reflect;
+pub mod regular_polygon;
 pub mod scattered;
 pub mod scrambled_radical_inverse;
 pub mod screen_space;
 pub mod sobol;
 pub mod sobol_directions;
 pub mod sphere;
+pub mod sphere_light;
+pub mod spherical_rectangle;
 pub mod spherical_triangle;
 pub mod stratified;
+pub mod triangle;
 pub mod unit;
 pub mod wide;

@@ -11,6 +11,8 @@ mod chi;
 mod degenerate;
 #[path = "scattering/energy.rs"]
 mod energy;
+#[path = "extreme.rs"]
+mod extreme;
 #[path = "scattering/extremes.rs"]
 mod extremes;
 #[path = "scattering/inverse.rs"]

@@ -11,6 +11,7 @@ mod environment;
 mod hemisphere;
 mod line;
 mod mapping;
+mod planar;
 mod scattering;
 mod spherical;
 
@@ -25,16 +26,10 @@ use crate::{Error, Result};
 pub enum Group {
     /// Disk and hemisphere.
     Hemisphere,
+    /// Uniform points of plane figures.
+    Planar,
     /// Uniform directions of solid angles.
     Spherical,
-    /// Phase functions.
-    Phase,
-    /// Visible normals of GGX by a disk.
-    Ggx,
-    /// Visible normals of GGX by spherical caps.
-    GgxCap,
-    /// Microsurfaces of Beckmann.
-    Beckmann,
     /// Free flight, and one normal distribution.
     Line,
     /// Two normal distributions.
@@ -45,6 +40,14 @@ pub enum Group {
     GaussianFilter,
     /// Environment maps.
     Environment,
+    /// Phase functions.
+    Phase,
+    /// Visible normals of GGX by a disk.
+    Ggx,
+    /// Visible normals of GGX by spherical caps.
+    GgxCap,
+    /// Microsurfaces of Beckmann.
+    Beckmann,
 }
 
 impl Group {
@@ -57,6 +60,7 @@ impl Group {
             Self::Ggx => ["map_ggx", "map_ggx_native"],
             Self::GgxCap => ["map_ggx_cap", "map_ggx_cap_native"],
             Self::Beckmann => ["map_beckmann", "map_beckmann_native"],
+            Self::Planar => ["map_planar", "map_planar_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
             Self::Line => ["map_line", "map_line_native"],
             Self::Normal => ["map_normal", "map_normal_native"],
@@ -163,6 +167,7 @@ impl PartialEq for Map {
 /// The groups in the order of the documentation.
 const GROUPS: &[&[Map]] = &[
     hemisphere::MAPS,
+    planar::MAPS,
     spherical::MAPS,
     scattering::MAPS,
     line::MAPS,

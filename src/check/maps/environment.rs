@@ -11,7 +11,7 @@ type Light = (u32, u32, fn(u32, u32) -> f32);
 
 /// A gradient; one texel; a row; a column; one hot texel among dim ones and alone; rows
 /// and columns without light; nothing; light over 30 orders of magnitude; rows as thin as
-/// those of the highest map.
+/// those of the highest map, the thinnest bright, where few floats tell z.
 const MAPS: &[Light] = &[
     (64, 32, |x, y| (x + 2 * y + 1) as f32),
     (1, 1, |_, _| 3.0),
@@ -30,7 +30,10 @@ const MAPS: &[Light] = &[
     (33, 17, |x, y| {
         f32::from_bits(0x3000_0000 + (mix(x ^ y << 16) >> 3))
     }),
-    (2, 4096, |x, y| 1.0 + (mix(x ^ y << 16) >> 16) as f32),
+    (2, 4096, |x, y| match y {
+        16..4080 => 1.0 + (mix(x ^ y << 16) >> 16) as f32,
+        _ => 1e9,
+    }),
 ];
 
 /// The mappings of a map of this group.

@@ -1,5 +1,6 @@
 //! The mutants: mistakes that a port, a refactoring or a compiler could make.
 
+mod discrete;
 mod elementary;
 mod foundation;
 mod scattering;
@@ -61,6 +62,7 @@ const fn twice(mut mutant: Mutant) -> Mutant {
 /// Every mutant.
 pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
     [
+        discrete::MUTANTS,
         elementary::MUTANTS,
         foundation::MUTANTS,
         scattering::MUTANTS,
