@@ -330,12 +330,12 @@ impl Ggx {
 pub fn beckmann_normal(alpha: [f32; 2], u: [u32; 2]) -> [f64; 4] {
     let [a, b] = alpha.map(f64::from);
     let (s, c) = sin_cos(u[1]);
-    let phi = (b * s).atan2(a * c);
-    let square = negative_log(u[0]);
-    let tangent = square.sqrt() * (a * c).hypot(b * s);
+    let length = (a * c).hypot(b * s);
+    // Cosine and sine of atan(b / a tan phi), in the quadrant of phi.
+    let [x, y] = [a * c / length, b * s / length];
+    let tangent = negative_log(u[0]).sqrt() * length;
     let cosine = 1.0 / 1f64.hypot(tangent);
     let sine = tangent * cosine;
-    let [x, y] = [phi.cos(), phi.sin()];
     let inside = tangent.powi(2) * ((x / a).powi(2) + (y / b).powi(2));
     let pdf = (-inside).exp() / (std::f64::consts::PI * a * b * cosine.powi(3));
     [sine * x, sine * y, cosine, pdf]
