@@ -3,8 +3,8 @@
 mod discrete;
 mod elementary;
 mod foundation;
-mod scattering;
 mod line;
+mod scattering;
 mod sequences;
 mod sets;
 
