@@ -18,9 +18,9 @@ uint table_word(uint i) {
 #include "corput/discrete.glsl"
 #include "corput/mis.glsl"
 
-// Words of the CDF.
-const uint ALIAS = 16u;
-const uint ITEMS = 5u;
+// Words of the CDF, and items of the alias table.
+#define ALIAS 16u
+#define ITEMS 5u
 
 uvec4 evaluate(uvec4 a) {
     vec4 pdfs = uintBitsToFloat(a);

@@ -6,6 +6,8 @@ mod blue_noise;
 mod commands;
 #[path = "cli/devices.rs"]
 mod devices;
+#[path = "cli/environment.rs"]
+mod environment;
 #[path = "cli/guide.rs"]
 mod guide;
 #[path = "cli/limits.rs"]
