@@ -1,10 +1,11 @@
-//! Reading environment maps: an OpenEXR file to rows of linear RGB.
+//! Reading environment maps: an OpenEXR file or a Radiance picture to rows of linear RGB.
 //!
 //! The header is judged before a texel is decoded, so no file makes the
 //! reader allocate more than [`MAX_WIDTH`] x [`MAX_HEIGHT`] allows. Everything that is
 //! wrong with a file is an [`Error::Image`].
 
 mod header;
+mod radiance;
 
 use std::collections::HashSet;
 use std::fs::File;
@@ -20,20 +21,21 @@ use exr::prelude::f16;
 
 use crate::error::{Error, Result};
 use header::{Colour, check_counters, check_layout, check_size, find_colour};
+use radiance::Texels;
 
 /// The widest image that is read.
-pub const MAX_WIDTH: usize = 8192;
+pub const MAX_WIDTH: usize = crate::environment::MAX_WIDTH as usize;
 /// The highest image that is read.
-pub const MAX_HEIGHT: usize = 4096;
+pub const MAX_HEIGHT: usize = crate::environment::MAX_HEIGHT as usize;
 /// The most negative light, as a share of all light, that is set to 0 and not refused.
 /// Lossy compression rings around bright spots: the maps that Blender ships have up to
 /// 6e-7, in up to one texel of a hundred.
 pub const NEGATIVE_SHARE: f64 = 1e-5;
 
-const NOT_SOUND: &str = "fetch it again, or save it anew as OpenEXR";
+const NOT_SOUND: &str = "fetch it again, or save it anew";
 const SAVE_RGB: &str = "save it as one part with the channels R, G and B, or Y";
 
-/// An image of linear RGB radiances, each finite and at least 0.
+/// An image of linear RGB radiances, each finite and at least 0 but for those of [`load_raw`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
     /// Texels in a row.
@@ -59,17 +61,71 @@ pub struct Image {
 /// than [`MAX_WIDTH`] x [`MAX_HEIGHT`], cropped, without colour, subsampled, or
 /// has texels that are not finite, or negative beyond [`NEGATIVE_SHARE`].
 pub fn load_exr(path: &Path) -> Result<Image> {
+    image(path, open_exr, check_texels)
+}
+
+/// Reads an image: a Radiance picture where the name ends in `.hdr` or `.pic`, else
+/// OpenEXR.
+///
+/// # Errors
+///
+/// Those of [`load_exr`]; of a Radiance picture also if it is not RGBE, or its rows do not
+/// run from the top and from the left.
+pub fn load(path: &Path) -> Result<Image> {
+    image(path, opener(path), check_texels)
+}
+
+/// Reads an image as [`load`] does, texels that are no light included:
+/// [`Environment::new`](crate::environment::Environment::new) takes and counts them.
+///
+/// # Errors
+///
+/// Those of [`load`] but for what concerns texels.
+pub fn load_raw(path: &Path) -> Result<Image> {
+    image(path, opener(path), |_, _| Ok(0))
+}
+
+/// What reads a file.
+type Opener = fn(&Path) -> Result<Texels, Fault>;
+
+fn opener(path: &Path) -> Opener {
+    let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    match ending.as_deref() {
+        Some("hdr" | "pic") => {
+            |path| radiance::read(&std::fs::read(regular(path)?).map_err(unopened)?)
+        }
+        _ => open_exr,
+    }
+}
+
+fn open_exr(path: &Path) -> Result<Texels, Fault> {
     // exr 1.74 computes with what a file says. With overflow checks on (the dev profile) its
     // B44 decoder panics on some damaged files; without them 20,000 found no panic. It runs on
     // this thread and owns all that it touches, so unwinding past it is safe. The panic
     // hook is left alone: it is global, and replacing it would race with other threads.
     catch_unwind(AssertUnwindSafe(|| read(path)))
         .unwrap_or_else(|_| Err("its data made the decoder fail: it is corrupt".into()))
-        .map_err(|fault: Fault| Error::Image {
-            path: path.to_owned(),
-            problem: fault.problem,
-            remedy: fault.remedy.to_owned(),
+}
+
+fn image(
+    path: &Path,
+    open: Opener,
+    judge: fn(usize, &mut [[f32; 3]]) -> Result<usize, Fault>,
+) -> Result<Image> {
+    let made = open(path).and_then(|(width, height, mut texels)| {
+        let clamped = judge(width, &mut texels)?;
+        Ok(Image {
+            width: width as u32,
+            height: height as u32,
+            texels,
+            clamped,
         })
+    });
+    made.map_err(|fault: Fault| Error::Image {
+        path: path.to_owned(),
+        problem: fault.problem,
+        remedy: fault.remedy.to_owned(),
+    })
 }
 
 /// What is wrong with a file, before its path is added.
@@ -113,21 +169,31 @@ fn fault(problem: impl Into<String>, remedy: &'static str) -> Fault {
     }
 }
 
-fn read(path: &Path) -> Result<Image, Fault> {
-    const CHECK_PATH: &str = "check the path and its permissions";
-    let unopened =
-        |error: std::io::Error| fault(format!("it cannot be opened ({error})"), CHECK_PATH);
+fn unopened(error: std::io::Error) -> Fault {
+    fault(
+        format!("it cannot be opened ({error})"),
+        "check the path and its permissions",
+    )
+}
+
+/// The path, if a file with anything in it lies there.
+fn regular(path: &Path) -> Result<&Path, Fault> {
     // Asked before opening, since opening a pipe would wait for its writer.
     let kind = std::fs::metadata(path).map_err(unopened)?;
     if !kind.is_file() {
         return Err(fault(
             "it is no regular file",
-            "give the path of an OpenEXR file",
+            "give the path of an OpenEXR file or a Radiance picture",
         ));
     }
     if kind.len() == 0 {
         return Err("it is empty".into());
     }
+    Ok(path)
+}
+
+fn read(path: &Path) -> Result<Texels, Fault> {
+    let length = std::fs::metadata(regular(path)?).map_err(unopened)?.len();
     let file = BufReader::new(File::open(path).map_err(unopened)?);
     let reader = exr::block::read(file, true)?;
     let parts = reader.headers();
@@ -137,7 +203,7 @@ fn read(path: &Path) -> Result<Image, Fault> {
         .try_fold(0_u64, |sum, part| sum.checked_add(part.chunk_count as u64));
     if chunks
         .and_then(|n| n.checked_mul(8))
-        .is_none_or(|bytes| bytes > kind.len())
+        .is_none_or(|bytes| bytes > length)
     {
         parts.iter().try_for_each(check_size)?;
         return Err("it is shorter than its table of chunks: it is truncated".into());
@@ -146,7 +212,7 @@ fn read(path: &Path) -> Result<Image, Fault> {
     check_layout(&parts[part], colour)?;
     decode(reader, part, colour)
 }
-fn decode(reader: Reader<BufReader<File>>, part: usize, colour: Colour) -> Result<Image, Fault> {
+fn decode(reader: Reader<BufReader<File>>, part: usize, colour: Colour) -> Result<Texels, Fault> {
     let chunks = reader.filter_chunks(true, |_, _, block| {
         block.layer == part && block.level.x() == 0 && block.level.y() == 0
     })?;
@@ -173,13 +239,7 @@ fn decode(reader: Reader<BufReader<File>>, part: usize, colour: Colour) -> Resul
             }
         }
     }
-    let clamped = check_texels(width, &mut texels)?;
-    Ok(Image {
-        width: width as u32,
-        height: height as u32,
-        texels,
-        clamped,
-    })
+    Ok((width, height, texels))
 }
 /// Converts a line's bytes, which the decoder gives in the machine's order.
 fn fill<'t>(row: impl Iterator<Item = &'t mut f32>, line: &LineRef<'_>, kind: SampleType) {

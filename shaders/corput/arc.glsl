@@ -29,11 +29,10 @@ CorputReal3 corput_real3_combine(CorputReal3 v, CorputReal x, CorputReal3 w, Cor
     return corput_real3_add(corput_real3_scale(v, x), corput_real3_scale(w, y));
 }
 
-// The arc between two vectors of any length.
-CorputArc corput_arc(CorputReal3 a, CorputReal3 b) {
+// The arc between two vectors of any length with this vector product.
+CorputArc corput_arc(CorputReal3 a, CorputReal3 b, CorputReal3 normal) {
     CorputReal product = corput_real_multiply(corput_real3_length(a), corput_real3_length(b));
     CorputReal cosine = corput_real3_dot(a, b);
-    CorputReal3 normal = corput_wide_cross(a, b);
     // The sum that does not cancel, and the other one by the vector product.
     CorputReal large = corput_real_add(product, CorputReal(cosine.m, cosine.e, false));
     CorputReal small = corput_real_divide(corput_real3_dot(normal, normal), large);

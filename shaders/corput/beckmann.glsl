@@ -10,8 +10,8 @@
 //         lies beyond r = 4.71, for 1 - u is at least 2^-32.
 // pdf:    with respect to solid angle: D cos of normals, D cos / (4 |wo.h|) of directions,
 //         which is infinite where wo is perpendicular to the normal: the largest float.
-// errors: normals and their pdf 0.6 ULP; directions 0.6 ULP, or 2^-28 of the larger of wo and
-//         wi, the pdf of a sample 0.6 ULP or 2^-30 / |wo.h|. The pdf of a normal 2^-23 of it,
+// errors: normals and their pdf 0.6 ULP; directions half a ULP and 2^-26, the
+//         pdf of a sample 0.6 ULP or 2^-30 / |wo.h|. The pdf of a normal 2^-23 of it,
 //         and of a direction 2^-24 / alpha, see ggx_lobe.glsl. The inverse agrees with a
 //         normal to 2^-20, with a direction to 2^-20 + 2^-22 / alpha.
 // cost:   1000 to 1500 integer instructions. tier I.
@@ -47,17 +47,25 @@ CorputReal3 corput_beckmann_slopes_of(CorputReal3 h) {
     return CorputReal3(corput_real_divide(h.x, h.z), corput_real_divide(h.y, h.z), corput_real_uint(1u, 0));
 }
 
-// e^-r^2 for the slopes.
-CorputReal corput_beckmann_rest(vec2 alpha, CorputReal3 slopes) {
+// r^2 for the slopes.
+CorputReal corput_beckmann_square(vec2 alpha, CorputReal3 slopes) {
     CorputReal x = corput_real_divide(slopes.x, corput_ggx_alpha(alpha.x));
     CorputReal y = corput_real_divide(slopes.y, corput_ggx_alpha(alpha.y));
-    return corput_real_exp(corput_real_negate(corput_real_add(corput_real_square(x), corput_real_square(y))));
+    return corput_real_add(corput_real_square(x), corput_real_square(y));
+}
+
+// e^-r^2 for the slopes.
+CorputReal corput_beckmann_rest(vec2 alpha, CorputReal3 slopes) {
+    return corput_real_exp(corput_real_negate(corput_beckmann_square(alpha, slopes)));
 }
 
 // The fractions that give these slopes.
 uvec2 corput_beckmann_fractions(vec2 alpha, CorputReal3 slopes) {
-    CorputReal rest = corput_beckmann_rest(alpha, slopes);
-    return uvec2(corput_real_fraction_of(corput_real_subtract(corput_real_uint(1u, 0), rest), rest),
+    CorputReal square = corput_beckmann_square(alpha, slopes);
+    // 1 - 2^-s with s = r^2 / ln 2.
+    CorputReal s = corput_real_multiply(square, CorputReal(3098164009u, -31, false));
+    CorputReal radius = corput_real_negate(corput_real_exp2m1(corput_real_negate(s)));
+    return uvec2(corput_real_fraction_of(radius, corput_real_exp(corput_real_negate(square))),
         corput_real_turns(corput_real_multiply(slopes.y, corput_ggx_alpha(alpha.x)),
             corput_real_multiply(slopes.x, corput_ggx_alpha(alpha.y))));
 }
@@ -101,7 +109,7 @@ CorputScattered corput_beckmann(vec2 alpha, vec3 wo, uvec2 u) {
 // The pdf of a direction.
 float corput_beckmann_pdf(vec2 alpha, vec3 wo, vec3 wi) {
     CorputReal3 o = corput_real3_normalize(corput_real3(wo));
-    CorputReal3 h = corput_real3_add(corput_real3(wi), o);
+    CorputReal3 h = corput_real3_add(corput_real3_normalize(corput_real3(wi)), o);
     if (h.z.m == 0u) {
         return 0.0;
     }
@@ -115,7 +123,8 @@ float corput_beckmann_pdf(vec2 alpha, vec3 wo, vec3 wi) {
 // The fractions that give this direction.
 uvec2 corput_beckmann_invert(vec2 alpha, vec3 wo, vec3 wi) {
     CorputReal3 o = corput_real3_normalize(corput_real3(wo));
-    return corput_beckmann_fractions(alpha, corput_beckmann_slopes_of(corput_real3_add(corput_real3(wi), o)));
+    CorputReal3 h = corput_real3_add(corput_real3_normalize(corput_real3(wi)), o);
+    return corput_beckmann_fractions(alpha, corput_beckmann_slopes_of(h));
 }
 
 #endif

@@ -37,7 +37,7 @@ uvec2 corput_cone_versine(CorputReal h, uint u) {
 }
 
 // Uniform direction for h: 1 - z = u.x h, phi = 2 pi u.y.
-vec3 corput_cone_around(CorputReal h, uvec2 u) {
+CorputReal3 corput_cone_around(CorputReal h, uvec2 u) {
     CorputReal versine = corput_real_multiply(corput_real_uint(u.x, -32), h);
     // In fixed point 1 - z and 2 - (1 - z) lose nothing where they cancel.
     uvec2 fixed_versine = corput_cone_versine(h, u.x);
@@ -62,11 +62,9 @@ CorputReal corput_cone_density(CorputReal h) {
 }
 
 // Whether a direction lies within the cone of h, by 2^-21 of its distance to the poles.
-bool corput_cone_inside(CorputReal h, vec3 direction) {
-    CorputReal x = corput_real(direction.x);
-    CorputReal y = corput_real(direction.y);
-    CorputReal z = corput_real(direction.z);
-    CorputReal square = corput_real_add(corput_real_square(x), corput_real_square(y));
+bool corput_cone_inside(CorputReal h, CorputReal3 direction) {
+    CorputReal z = direction.z;
+    CorputReal square = corput_real_add(corput_real_square(direction.x), corput_real_square(direction.y));
     if (z.negative) {
         CorputReal rest = corput_real_subtract(corput_real_uint(2u, 0), h);
         CorputReal least = corput_real_multiply(rest, corput_real_uint(2097151u, -21));
@@ -77,29 +75,27 @@ bool corput_cone_inside(CorputReal h, vec3 direction) {
 }
 
 // The fractions that give this direction for h.
-uvec2 corput_cone_around_invert(CorputReal h, vec3 direction) {
-    CorputReal x = corput_real(direction.x);
-    CorputReal y = corput_real(direction.y);
-    CorputReal z = corput_real(direction.z);
-    CorputReal square = corput_real_add(corput_real_square(x), corput_real_square(y));
+uvec2 corput_cone_around_invert(CorputReal h, CorputReal3 direction) {
+    CorputReal z = direction.z;
+    CorputReal square = corput_real_add(corput_real_square(direction.x), corput_real_square(direction.y));
     CorputReal versine = corput_sphere_versine(square, z);
     if (z.negative) {
         CorputReal rest = corput_sphere_versine(square, corput_real_negate(z));
         versine = corput_real_subtract(corput_real_uint(2u, 0), rest);
     }
     return uvec2(corput_sphere_fraction(corput_real_divide(versine, h)),
-        corput_atan2(direction.y, direction.x));
+        corput_sphere_turn(direction.x, direction.y));
 }
 
 // Uniform direction of the cone.
 vec3 corput_cone(float h, uvec2 u) {
-    return corput_cone_around(corput_cone_height(h), u);
+    return corput_real3_floats(corput_cone_around(corput_cone_height(h), u));
 }
 
 // 1/(2 pi h) inside, else 0.
 float corput_cone_pdf(float h, vec3 direction) {
     CorputReal height = corput_cone_height(h);
-    if (!corput_cone_inside(height, direction)) {
+    if (!corput_cone_inside(height, corput_real3(direction))) {
         return 0.0;
     }
     return corput_real_float(corput_cone_density(height));
@@ -107,7 +103,7 @@ float corput_cone_pdf(float h, vec3 direction) {
 
 // The fractions that give this direction.
 uvec2 corput_cone_invert(float h, vec3 direction) {
-    return corput_cone_around_invert(corput_cone_height(h), direction);
+    return corput_cone_around_invert(corput_cone_height(h), corput_real3(direction));
 }
 
 #endif

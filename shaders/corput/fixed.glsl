@@ -85,24 +85,19 @@ uvec2 corput_sub64(uvec2 a, uvec2 b) {
 
 // v * 2^s modulo 2^64, for s from 0 to 63.
 uvec2 corput_shl64(uvec2 v, uint s) {
-    if (s == 0u) {
-        return v;
-    }
-    if (s >= 32u) {
-        return uvec2(0u, v.x << (s - 32u));
-    }
-    return uvec2(v.x << s, (v.y << s) | (v.x >> (32u - s)));
+    // Without branches, of which compilers make much work.
+    uint part = s & 31u;
+    uint low = v.x << part;
+    uint high = (v.y << part) | ((v.x >> 1) >> (31u - part));
+    return uvec2(s < 32u ? low : 0u, s < 32u ? high : low);
 }
 
 // floor(v / 2^s), for s from 0 to 63.
 uvec2 corput_shr64(uvec2 v, uint s) {
-    if (s == 0u) {
-        return v;
-    }
-    if (s >= 32u) {
-        return uvec2(v.y >> (s - 32u), 0u);
-    }
-    return uvec2((v.x >> s) | (v.y << (32u - s)), v.y >> s);
+    uint part = s & 31u;
+    uint high = v.y >> part;
+    uint low = (v.x >> part) | ((v.y << 1) << (31u - part));
+    return uvec2(s < 32u ? low : high, s < 32u ? high : 0u);
 }
 
 // The bits of the float nearest to v.m * 2^v.e, halves away from zero.

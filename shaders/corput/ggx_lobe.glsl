@@ -79,6 +79,14 @@ CorputReal corput_ggx_area(CorputGgx g) {
     return corput_real_multiply(g.stretch, g.cap_above);
 }
 
+// a over that area; 0 where nothing is visible.
+CorputReal corput_ggx_over_area(CorputGgx g, CorputReal a) {
+    if (g.cap_above.m == 0u) {
+        return corput_real_zero();
+    }
+    return corput_real_divide(a, corput_ggx_area(g));
+}
+
 // D(h) for the normal n of the unit sphere, of squared length n_square, where S n has the
 // squared length s_square.
 CorputReal corput_ggx_density_of(CorputGgx g, CorputReal s_square, CorputReal n_square) {
@@ -97,9 +105,8 @@ CorputScattered corput_ggx_reflected(CorputGgx g, CorputReal3 n, CorputReal n_sq
     // 2 (wo.h) h - wo.
     CorputReal scale = corput_real_shift(corput_real_divide(corput_real_multiply(g.stretch, cosine), s_square), 1);
     CorputReal3 wi = corput_real3_subtract(corput_real3_scale(s, scale), g.wo);
-    CorputReal pdf = corput_real_divide(corput_ggx_density_of(g, s_square, n_square),
-        corput_real_shift(corput_ggx_area(g), 1));
-    return corput_scattered(wi, pdf);
+    CorputReal pdf = corput_ggx_over_area(g, corput_ggx_density_of(g, s_square, n_square));
+    return corput_scattered(wi, corput_real_shift(pdf, -1));
 }
 
 // The microfacet normal for the normal n of the unit sphere, and its pdf 2 (wo.h) D / area.
@@ -108,8 +115,8 @@ CorputScattered corput_ggx_normal(CorputGgx g, CorputReal3 n, CorputReal n_squar
     CorputReal s_square = corput_real3_dot(s, s);
     CorputReal inverse = corput_real_divide(corput_real_uint(1u, 0), corput_real_sqrt(s_square));
     CorputReal wo_h = corput_real_multiply(corput_real_multiply(g.stretch, cosine), inverse);
-    CorputReal pdf = corput_real_divide(corput_real_multiply(corput_real_shift(wo_h, 1),
-        corput_ggx_density_of(g, s_square, n_square)), corput_ggx_area(g));
+    CorputReal pdf = corput_ggx_over_area(g, corput_real_multiply(corput_real_shift(wo_h, 1),
+        corput_ggx_density_of(g, s_square, n_square)));
     return corput_scattered(corput_real3_scale(s, inverse), pdf);
 }
 
@@ -124,16 +131,21 @@ CorputReal3 corput_ggx_sphere_sum(CorputGgx g, CorputReal3 h) {
     return corput_real3_scale(shrunk, scale);
 }
 
+// wo + wi, a multiple of the normal between them. The length of a rounded wi, 2^-25 off, would
+// turn that of nearly opposite directions.
+CorputReal3 corput_ggx_half(CorputGgx g, vec3 wi) {
+    return corput_real3_add(corput_real3_normalize(corput_real3(wi)), g.wo);
+}
+
 // The pdf D(h) / (2 area) of a reflected direction; 0 outside the cap.
 float corput_ggx_pdf(CorputGgx g, vec3 wi) {
-    CorputReal3 i = corput_real3(wi);
-    CorputReal3 h = corput_real3_add(i, g.wo);
+    CorputReal3 h = corput_ggx_half(g, wi);
     // Nothing is outside above the horizon, whatever rounding says.
-    if (i.z.negative && corput_real_less(corput_ggx_sphere_sum(g, h).z, g.excess)) {
+    if (corput_real_less(h.z, g.wo.z) && corput_real_less(corput_ggx_sphere_sum(g, h).z, g.excess)) {
         return 0.0;
     }
-    return corput_real_float(corput_real_divide(corput_ggx_density(g.alpha_x, g.alpha_y, h),
-        corput_real_shift(corput_ggx_area(g), 1)));
+    CorputReal pdf = corput_ggx_over_area(g, corput_ggx_density(g.alpha_x, g.alpha_y, h));
+    return corput_real_float(corput_real_shift(pdf, -1));
 }
 
 // The weight G2 cos D / (4 cos cos' pdf) of a reflected direction, without Fresnel's term:

@@ -17,9 +17,9 @@
 
 #include "corput/ggx_vndf_cap.glsl"
 
-// The lobe of the normals within the bound.
-CorputGgx corput_ggx_vndf_bounded_prepare(vec2 alpha, vec3 wo) {
-    CorputGgx g = corput_ggx_prepare(alpha, wo);
+// A lobe of all visible normals, less those beyond the bound.
+CorputGgx corput_ggx_vndf_bound(CorputGgx all) {
+    CorputGgx g = all;
     if (g.wo.z.negative || g.wo.z.m == 0u) {
         return g;
     }
@@ -38,6 +38,11 @@ CorputGgx corput_ggx_vndf_bounded_prepare(vec2 alpha, vec3 wo) {
     g.cap_above = corput_real_add(one, corput_real_multiply(k, g.view.z));
     g.cap_below = corput_real_add(g.view_below, g.excess);
     return g;
+}
+
+// The lobe of the normals within the bound.
+CorputGgx corput_ggx_vndf_bounded_prepare(vec2 alpha, vec3 wo) {
+    return corput_ggx_vndf_bound(corput_ggx_prepare(alpha, wo));
 }
 
 // Direction and pdf.

@@ -19,12 +19,14 @@ CorputReal corput_real_complement(uint u) {
     return corput_real_uint(0u - u, -32);
 }
 
-// The fraction a of 2^32, where b = 1 - a: from the smaller, so that either end is exact.
+// The fraction of 2^32 nearest to a, where b = 1 - a: from the smaller, so that either end is
+// exact.
 uint corput_real_fraction_of(CorputReal a, CorputReal b) {
+    CorputReal half_unit = corput_real_uint(1u, -33);
     if (corput_real_less(a, b)) {
-        return corput_real_fraction(a);
+        return corput_real_fraction(corput_real_add(a, half_unit));
     }
-    return 0u - max(corput_real_fraction(b), 1u);
+    return 0u - max(corput_real_fraction(corput_real_add(b, half_unit)), 1u);
 }
 
 // Angle of (x, y) in turns, counter-clockwise from +x, as a fraction of 2^32; 0 for (0, 0).

@@ -13,7 +13,7 @@
 #ifndef CORPUT_SPHERE_GLSL
 #define CORPUT_SPHERE_GLSL
 
-#include "corput/real.glsl"
+#include "corput/real_vector.glsl"
 
 // The fraction of 2^32 nearest to a, from 0 to 2^32 - 1.
 uint corput_sphere_fraction(CorputReal a) {
@@ -37,24 +37,38 @@ CorputReal corput_sphere_versine(CorputReal square, CorputReal z) {
     return corput_real_divide(square, corput_real_add(one, z));
 }
 
+// The angle of (x, y) in turns, counter-clockwise from +x, as a fraction of 2^32.
+uint corput_sphere_turn(CorputReal x, CorputReal y) {
+    // Both on the scale of the larger, which floats hold.
+    int e = -32 - max(x.e, y.e);
+    if (x.m == 0u) {
+        e = -32 - y.e;
+    }
+    if (y.m == 0u) {
+        e = -32 - x.e;
+    }
+    return corput_atan2(corput_real_float(corput_real_shift(y, e)), corput_real_float(corput_real_shift(x, e)));
+}
+
 // radius * (cos 2 pi u, sin 2 pi u) and z.
-vec3 corput_sphere_direction(CorputReal radius, uint u, CorputReal z) {
+CorputReal3 corput_sphere_direction(CorputReal radius, uint u, CorputReal z) {
     CorputSinCos phi = corput_sincos_scaled(u);
     CorputReal cosine = corput_real_scaled(phi.cosine, phi.cosine_negative);
     CorputReal sine = corput_real_scaled(phi.sine, phi.sine_negative);
-    return vec3(corput_real_float(corput_real_multiply(radius, cosine)),
-        corput_real_float(corput_real_multiply(radius, sine)), corput_real_float(z));
+    return CorputReal3(corput_real_multiply(radius, cosine), corput_real_multiply(radius, sine), z);
 }
 
 // Uniform direction: z = 1 - 2 u.x, phi = 2 pi u.y.
 vec3 corput_uniform_sphere(uvec2 u) {
     // u (1 - u), exact, as a fraction of 2^64.
     CorputReal square = corput_real_wide(corput_mul64(u.x, 0u - u.x), -64);
-    CorputReal z = corput_real_uint(u.x < 0x80000000u ? 0x80000000u - u.x : u.x - 0x80000000u, -31);
+    uint magnitude = u.x < 0x80000000u ? 0x80000000u - u.x : u.x - 0x80000000u;
+    CorputReal z = corput_real_uint(magnitude, -31);
     if (u.x > 0x80000000u) {
         z = corput_real_negate(z);
     }
-    return corput_sphere_direction(corput_real_shift(corput_real_sqrt(square), 1), u.y, z);
+    CorputReal radius = corput_real_shift(corput_real_sqrt(square), 1);
+    return corput_real3_floats(corput_sphere_direction(radius, u.y, z));
 }
 
 // 1/(4 pi).
@@ -71,7 +85,8 @@ uvec2 corput_uniform_sphere_invert(vec3 direction) {
     uint turn = corput_atan2(direction.y, direction.x);
     if (z.negative) {
         CorputReal rest = corput_sphere_versine(square, corput_real_negate(z));
-        return uvec2(0u - max(corput_sphere_fraction(corput_real_shift(rest, -1)), 1u), turn);
+        uint fraction = max(corput_sphere_fraction(corput_real_shift(rest, -1)), 1u);
+        return uvec2(0u - fraction, turn);
     }
     CorputReal versine = corput_sphere_versine(square, z);
     return uvec2(corput_sphere_fraction(corput_real_shift(versine, -1)), turn);

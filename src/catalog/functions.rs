@@ -160,6 +160,13 @@ const fn elementary(
     }
 }
 
+const fn discrete(name: &'static str, header: &'static str, id: u32, kind: Kind) -> Function {
+    Function {
+        kernel: "evaluate_discrete",
+        ..integer(name, header, id, kind)
+    }
+}
+
 const fn blue_noise(name: &'static str, header: &'static str, id: u32) -> Function {
     Function {
         kernel: "evaluate_blue_noise",
@@ -325,6 +332,17 @@ pub const FUNCTIONS: &[Function] = &[
     domain("draw_stratified", "domain_draw", 16),
     domain("draw_korobov", "domain_draw", 17),
     domain("draw_r2", "domain_draw", 18),
+    discrete("discrete_divide", "discrete", 0, Kind::CostlyWords),
+    discrete("cdf", "discrete", 1, Kind::Words),
+    discrete("alias", "discrete", 2, Kind::CostlyWords),
+    discrete("reservoir", "discrete", 3, Kind::CostlyWords),
+    Function {
+        bound: Some(0.6),
+        unit: "ULP",
+        ..discrete("mis", "mis", 4, Kind::Floats)
+    },
+    discrete("mis_four", "mis", 5, Kind::Floats),
+    discrete("roulette", "mis", 6, Kind::CostlyWords),
     blue_noise("blue_noise", "blue_noise", 0),
     blue_noise("blue_noise_shift", "blue_noise", 1),
     blue_noise("screen_space", "screen_space", 2),

@@ -3,7 +3,7 @@
 use super::blue_noise;
 use super::inputs::arguments;
 use super::rows::{Row, Verdict};
-use super::{domain, net, random, real, strata, transcendental};
+use super::{discrete, domain, net, random, real, strata, transcendental};
 use crate::Result;
 use crate::catalog::Function;
 use crate::judge::{self, ulp_error};
@@ -182,6 +182,7 @@ fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
             .or_else(|| strata::reference(name, a))
             .or_else(|| domain::reference(name, a))
             .or_else(|| real::reference(name, a))
+            .or_else(|| discrete::reference(name, a))
             .or_else(|| transcendental::reference(name, a))
             .unwrap_or([u32::MAX; 4]),
     }
@@ -257,7 +258,8 @@ fn error(name: &str, a: [u32; 4], got: [u32; 4]) -> f64 {
             };
             absolute(got, truth)
         }
-        _ => real::error(name, a, got)
+        _ => discrete::error(name, a, got)
+            .or_else(|| real::error(name, a, got))
             .or_else(|| transcendental::error(name, a, got))
             .unwrap_or(0.0),
     }

@@ -1,13 +1,14 @@
 //! Rows of the maps: what each map kernel does with points in memory, for every map with
 //! all its example parameters, in both profiles.
 
+mod environment;
 mod truth;
 
 use super::inputs::mix;
 use super::rows::{Row, Verdict};
 use crate::Result;
 use crate::bulk::{map_invert, map_pdf, map_sample};
-use crate::catalog::{Map, Mapping, Profile};
+use crate::catalog::{Group, Map, Mapping, Profile};
 use crate::interface::task;
 use crate::judge::ulp_error;
 use crate::kernels::Mapper;
@@ -87,6 +88,9 @@ fn samples(mapping: &Mapping) -> Vec<[u32; 3]> {
 /// # Errors
 /// None, if the catalogue's examples are in their domains.
 pub fn examples(map: &'static Map) -> Result<Vec<Mapping>> {
+    if map.group == Group::Environment {
+        return environment::examples(map);
+    }
     map.examples
         .iter()
         .map(|values| Mapping::with_values(map, values))

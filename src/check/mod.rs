@@ -6,6 +6,7 @@
 
 mod blue_noise;
 mod cases;
+mod discrete;
 mod domain;
 mod functions;
 mod inputs;

@@ -112,6 +112,17 @@ pub struct GenerateArgs {
     /// A parameter of the map, as alpha=0.1 or wo=0.8,0,0.6; `corput maps` lists them.
     #[arg(long, value_name = "NAME=X[,X...]", value_parser = param, allow_hyphen_values = true)]
     pub param: Vec<Param>,
+    /// environment maps: the picture whose light is sampled, .exr or .hdr.
+    #[arg(long, value_name = "FILE")]
+    pub env: Option<PathBuf>,
+    /// environment maps: what a texel weighs, luminance or max, the largest channel
+    /// [default: luminance].
+    #[arg(long, value_name = "NAME")]
+    pub env_weight: Option<String>,
+    /// environment maps: subtract the mean, for use beside another technique of multiple
+    /// importance sampling.
+    #[arg(long)]
+    pub compensated: bool,
     /// Append the map's pdf as the last column.
     #[arg(long)]
     pub with_pdf: bool,

@@ -1,7 +1,7 @@
 //! `corput maps`, and the map that `generate` is asked for.
 
 use super::args::{GenerateArgs, MapsArgs};
-use super::print;
+use super::{environment, print};
 use corput::catalog::{Map, Mapping, Parameter, maps};
 use corput::{Error, Result};
 use serde_json::{Value, json};
@@ -110,6 +110,7 @@ fn document(map: &'static Map) -> Value {
 /// The map of `--map` with the parameters of `--param`.
 pub fn mapping(args: &GenerateArgs) -> Result<Option<Mapping>> {
     let Some(name) = &args.map else {
+        environment::refuse(args)?;
         return match args.param.first() {
             None => Ok(None),
             Some(param) => Err(Error::Arguments {
@@ -124,5 +125,6 @@ pub fn mapping(args: &GenerateArgs) -> Result<Option<Mapping>> {
         .iter()
         .map(|param| (param.name.as_str(), param.numbers.as_slice()))
         .collect();
-    Mapping::new(Map::from_name(name)?, &given).map(Some)
+    let mapping = Mapping::new(Map::from_name(name)?, &given)?;
+    environment::light(mapping, args).map(Some)
 }

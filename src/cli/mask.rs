@@ -102,12 +102,13 @@ fn refuse_points(args: &GenerateArgs) -> Result<()> {
         || args.grid.is_some()
         || args.generator.is_some()
         || args.order != "natural";
-    let mapped = args.map.is_some() || args.with_pdf || !args.param.is_empty();
+    let mapped =
+        args.map.is_some() || args.with_pdf || !args.param.is_empty() || args.env.is_some();
     if columns || mapped || args.count.is_some() || args.first != 0 || args.index_first {
         return Err(refusal(
             format!(
                 "--count, --first, --dims, --bases, --total, --index-first, --scramble, --order, --grid, \
-                 --generator, --map, --param or --with-pdf with {NAME}"
+                 --generator, --map, --param, --env or --with-pdf with {NAME}"
             ),
             "only points have them; a mask has --size, --channels and --frames",
             "drop them",

@@ -5,6 +5,7 @@ mod bench;
 mod check;
 mod demo;
 mod devices;
+mod environment;
 mod generate;
 mod guide;
 mod headers;

@@ -180,6 +180,12 @@ impl Environment {
     pub fn words(&self) -> &[u32] {
         &self.words
     }
+
+    /// The tables alone.
+    #[must_use]
+    pub fn into_words(self) -> Vec<u32> {
+        self.words
+    }
 }
 
 /// 4 pi in the units of a row's solid angle: the difference of its caps.

@@ -114,6 +114,9 @@ push_constants! {
 /// Parameters of a map: bits of floats.
 pub const MAP_PARAMETERS: usize = 16;
 
+/// Words of a map's tables that one buffer holds: 128 MiB, which every device allows.
+pub const TABLE_WORDS: usize = 1 << 25;
+
 impl MapPush {
     /// The block for so many invocations of a map with these parameters.
     #[must_use]
@@ -397,10 +400,25 @@ pub mod map {
     /// Hemisphere, cosine-weighted, polar.
     pub const COSINE_HEMISPHERE_POLAR: u32 = 4;
 
+    /// Triangle in the plane.
+    pub const TRIANGLE: u32 = 16;
+    /// Regular polygon.
+    pub const REGULAR_POLYGON: u32 = 17;
+    /// Annulus.
+    pub const ANNULUS: u32 = 18;
+
     /// Sphere.
     pub const UNIFORM_SPHERE: u32 = 32;
     /// Cone.
     pub const CONE: u32 = 33;
+    /// Spherical triangle.
+    pub const SPHERICAL_TRIANGLE: u32 = 34;
+    /// Spherical rectangle.
+    pub const SPHERICAL_RECTANGLE: u32 = 35;
+    /// Sphere seen from outside or within.
+    pub const SPHERE_LIGHT: u32 = 36;
+    /// Disk, by its area.
+    pub const DISK_LIGHT: u32 = 37;
 
     /// Henyey and Greenstein's phase function.
     pub const HENYEY_GREENSTEIN: u32 = 64;
@@ -431,6 +449,10 @@ pub mod map {
     pub const FILTER_TENT: u32 = 101;
     /// Pixel filter: truncated Gaussian.
     pub const FILTER_GAUSSIAN: u32 = 102;
+    /// Environment map, hierarchical.
+    pub const ENVIRONMENT: u32 = 128;
+    /// Environment map, by an alias table.
+    pub const ENVIRONMENT_ALIAS: u32 = 129;
 }
 
 /// Values of the constant `KIND` of `pairs`.

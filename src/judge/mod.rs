@@ -5,13 +5,17 @@
 //! ULP figure by less than 2^-28.
 
 mod digits;
+pub mod environment;
 mod functions;
+pub mod lights;
 pub mod line;
 mod maps;
 mod normal;
+pub mod planar;
 pub mod random;
 mod scattering;
 pub mod spherical;
+pub mod spherical_triangle;
 mod strata;
 mod transcendental;
 mod wide;
@@ -25,7 +29,10 @@ pub use maps::{
     uniform_hemisphere,
 };
 pub use normal::{normal_density, normal_mass, normal_quantile, normal_tail};
-pub use scattering::{Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_pdf};
+pub use scattering::{
+    Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_fractions,
+    henyey_greenstein_pdf,
+};
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};
 pub use wide::Wide;

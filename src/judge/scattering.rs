@@ -99,6 +99,28 @@ pub fn henyey_greenstein_pdf(rest: f32, backward: bool, d: [f64; 3]) -> f64 {
     ((one - g * g) / (wide(4.0) * Wide::pi() * square * square.sqrt())).value()
 }
 
+/// The fractions that give a direction: u = ((1 - g^2) / sqrt(1 + g^2 - 2 g cos) - 1 + g) / (2 g).
+#[must_use]
+pub fn henyey_greenstein_fractions(rest: f32, backward: bool, d: [f64; 3]) -> [f64; 2] {
+    let one = wide(1.0);
+    let magnitude = one - rest.into();
+    let g = if backward { -magnitude } else { magnitude };
+    let [x, y, z] = d.map(Wide::from);
+    let polar = (one - x * x - y * y).sqrt();
+    let cosine = match z.value() {
+        v if v > 0.7 => polar,
+        v if v < -0.7 => -polar,
+        _ => z,
+    };
+    let u = if magnitude.value() == 0.0 {
+        (one + cosine) / wide(2.0)
+    } else {
+        let root = (one + g * g - wide(2.0) * g * cosine).sqrt();
+        ((one - g * g) / root - one + g) / (wide(2.0) * g)
+    };
+    [u.value(), turns(d[1], d[0])]
+}
+
 /// A GGX lobe, by the formulas of Walter et al. 2007 and Heitz 2014.
 #[derive(Clone, Copy, Debug)]
 pub struct Ggx {
@@ -231,7 +253,7 @@ impl Ggx {
     /// The pdf of reflected directions at a direction, taken as exact: 0 outside the cap.
     #[must_use]
     pub fn pdf(&self, wi: [f64; 3]) -> f64 {
-        let wi = wi.map(Wide::from);
+        let wi = normalized(wi.map(Wide::from));
         let h = normalized(sum(wi, self.wo));
         let v = normalized(self.stretched(self.wo));
         // The same facet of the unit sphere reflects V to V'.
@@ -246,7 +268,7 @@ impl Ggx {
     /// The cosine between view and normal on the unit sphere, for a reflected direction.
     #[must_use]
     pub fn sphere_cosine(&self, wi: [f64; 3]) -> f64 {
-        let h = sum(wi.map(Wide::from), self.wo);
+        let h = sum(normalized(wi.map(Wide::from)), self.wo);
         let n = normalized([h[0] / self.alpha[0], h[1] / self.alpha[1], h[2]]);
         dot(normalized(self.stretched(self.wo)), n).value()
     }
@@ -254,7 +276,7 @@ impl Ggx {
     /// The fractions of [`Self::vndf_cap`] for a direction.
     #[must_use]
     pub fn cap_fractions(&self, wi: [f64; 3]) -> [f64; 2] {
-        let h = sum(wi.map(Wide::from), self.wo);
+        let h = sum(normalized(wi.map(Wide::from)), self.wo);
         let v = normalized(self.stretched(self.wo));
         let n = normalized([h[0] / self.alpha[0], h[1] / self.alpha[1], h[2]]);
         let [x, y, z] = sum(scale(n, wide(2.0) * dot(v, n)), scale(v, wide(-1.0)));
@@ -308,12 +330,12 @@ impl Ggx {
 pub fn beckmann_normal(alpha: [f32; 2], u: [u32; 2]) -> [f64; 4] {
     let [a, b] = alpha.map(f64::from);
     let (s, c) = sin_cos(u[1]);
-    let phi = (b * s).atan2(a * c);
-    let square = negative_log(u[0]);
-    let tangent = square.sqrt() * (a * c).hypot(b * s);
+    let length = (a * c).hypot(b * s);
+    // Cosine and sine of atan(b / a tan phi), in the quadrant of phi.
+    let [x, y] = [a * c / length, b * s / length];
+    let tangent = negative_log(u[0]).sqrt() * length;
     let cosine = 1.0 / 1f64.hypot(tangent);
     let sine = tangent * cosine;
-    let [x, y] = [phi.cos(), phi.sin()];
     let inside = tangent.powi(2) * ((x / a).powi(2) + (y / b).powi(2));
     let pdf = (-inside).exp() / (std::f64::consts::PI * a * b * cosine.powi(3));
     [sine * x, sine * y, cosine, pdf]

@@ -19,7 +19,11 @@ pub fn uniform_sphere(u: [u32; 2]) -> [f64; 3] {
 /// 2 asin(sqrt(u h / 2)).
 #[must_use]
 pub fn cone(h: f32, u: [u32; 2]) -> [f64; 3] {
-    let h = f64::from(h);
+    around(f64::from(h), u)
+}
+
+/// The same for h in `f64`.
+pub(super) fn around(h: f64, u: [u32; 2]) -> [f64; 3] {
     let theta = 2.0 * (unit(u[0]) * h / 2.0).sqrt().asin();
     let (s, c) = sin_cos(u[1]);
     // One rounding, as z is small where the product is near 1.

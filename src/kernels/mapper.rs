@@ -5,7 +5,7 @@ use super::points::table;
 use super::{constant, groups, kernel, pipeline, spirv};
 use crate::Result;
 use crate::catalog::{Mapping, Profile};
-use crate::interface::{Kernel, MapPush, task};
+use crate::interface::{Kernel, MapPush, TABLE_WORDS, task};
 use crate::vulkan::{Access, Buffer, Device, Pipeline, Timing};
 use std::sync::Arc;
 
@@ -60,12 +60,11 @@ impl Mapper {
         .into_iter()
         .flatten()
         .collect();
-        let tables = mapping.tables().iter().map(|words| table(device, words));
         Ok(Self {
             pipeline: pipeline(device, kernel, words, &constants)?,
             kernel,
             parameters: mapping.words(),
-            tables: tables.collect::<Result<_>>()?,
+            tables: tables(device, kernel, mapping)?,
             widths: match task {
                 task::SAMPLE => [map.dimensions, map.coordinates + u32::from(with_pdf)],
                 task::PDF => [4, 1],
@@ -83,11 +82,7 @@ impl Mapper {
     /// Those of the device.
     pub fn set(&mut self, mapping: &Mapping) -> Result<()> {
         self.parameters = mapping.words();
-        let tables = mapping
-            .tables()
-            .iter()
-            .map(|words| table(&self.device, words));
-        self.tables = tables.collect::<Result<_>>()?;
+        self.tables = tables(&self.device, self.kernel, mapping)?;
         Ok(())
     }
 
@@ -126,4 +121,19 @@ impl Mapper {
         let words = results.read(0, made, bytemuck::pod_collect_to_vec)?;
         Ok((words, timing))
     }
+}
+
+/// The tables of a mapping, cut to what a buffer holds; a buffer of one word for each
+/// binding that then has none.
+fn tables(device: &Arc<Device>, kernel: &Kernel, mapping: &Mapping) -> Result<Vec<Buffer>> {
+    let bindings = kernel.bindings.len().saturating_sub(2);
+    let parts = mapping
+        .tables()
+        .iter()
+        .flat_map(|words| words.chunks(TABLE_WORDS));
+    let parts = parts.chain(std::iter::repeat(&[0][..]));
+    parts
+        .take(bindings)
+        .map(|part| table(device, part))
+        .collect()
 }

@@ -16,6 +16,7 @@ pub use pairs::Pairs;
 pub use void_and_cluster::VoidAndCluster;
 
 use crate::interface::{KERNELS, Kernel};
+use crate::spirv::prune;
 use crate::vulkan::{Device, Pipeline, PipelineDescription, Probe};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -72,12 +73,14 @@ pub fn pipeline(
     words: &[u32],
     specialization: &[(u32, u32)],
 ) -> Result<Pipeline> {
+    // What does not parse is the driver wrapper's to refuse.
+    let pruned = prune(words, specialization).unwrap_or_else(|_| words.to_vec());
     let bindings: Vec<u32> = kernel.bindings.iter().map(|b| b.binding).collect();
     Pipeline::new(
         device,
         &PipelineDescription {
             name: kernel.name,
-            spirv: words,
+            spirv: &pruned,
             bindings: &bindings,
             push_constant_bytes: kernel.push_bytes(),
             specialization,

@@ -11,12 +11,13 @@ use crate::reference::real::{
 use crate::reference::real_vector::{
     Real3, real3_add, real3_dot, real3_length, real3_scale, real3_subtract,
 };
-use crate::reference::wide::wide_cross;
 
 /// Half the angle between two vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
+    /// Its cosine.
     pub cosine: Real,
+    /// Its sine.
     pub sine: Real,
 }
 
@@ -41,13 +42,12 @@ pub fn real3_combine(v: Real3, x: Real, w: Real3, y: Real) -> Real3 {
     real3_add(real3_scale(v, x), real3_scale(w, y))
 }
 
-/// The arc between two vectors of any length.
+/// The arc between two vectors of any length with this vector product.
 #[inline]
 #[must_use]
-pub fn arc(a: Real3, b: Real3) -> Arc {
+pub fn arc(a: Real3, b: Real3, normal: Real3) -> Arc {
     let product = real_multiply(real3_length(a), real3_length(b));
     let cosine = real3_dot(a, b);
-    let normal = wide_cross(a, b);
     // The sum that does not cancel, and the other one by the vector product.
     let large = real_add(
         product,

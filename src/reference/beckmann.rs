@@ -10,18 +10,18 @@
 //! directions may lie below the horizon. No normal lies beyond r = 4.71, for 1 - u is at
 //! least 2^-32. Pdf: with respect to solid angle: D cos of normals, D cos / (4 |wo.h|) of
 //! directions, which is infinite where wo is perpendicular to the normal: the largest
-//! float. Errors: normals and their pdf 0.6 ULP; directions 0.6 ULP, or 2^-28 of the
-//! larger of wo and wi, the pdf of a sample 0.6 ULP or 2^-30 / |wo.h|. The pdf of a
-//! normal 2^-23 of it, and of a direction 2^-24 / alpha, see ggx_lobe.glsl. The inverse
-//! agrees with a normal to 2^-20, with a direction to 2^-20 + 2^-22 / alpha. Tier I.
+//! float. Errors: normals and their pdf 0.6 ULP; directions half a ULP and 2^-26, the pdf
+//! of a sample 0.6 ULP or 2^-30 / |wo.h|. The pdf of a normal 2^-23 of it, and of a
+//! direction 2^-24 / alpha, see ggx_lobe.glsl. The inverse agrees with a normal to 2^-20,
+//! with a direction to 2^-20 + 2^-22 / alpha. Tier I.
 //! Mirror: `shaders/corput/beckmann.glsl`.
 
-use crate::reference::exponential::real_exp;
+use crate::reference::exponential::{real_exp, real_exp2m1};
 use crate::reference::ggx::{ggx_alpha, ggx_stretched};
 use crate::reference::logarithm::real_negative_log;
 use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_multiply, real_negate, real_shift, real_sqrt,
-    real_square, real_subtract, real_uint,
+    real_square, real_uint,
 };
 use crate::reference::real_angle::{real_complement, real_fraction_of, real_turns};
 use crate::reference::real_vector::{
@@ -69,22 +69,39 @@ pub fn beckmann_slopes_of(h: Real3) -> Real3 {
     }
 }
 
+/// r^2 for the slopes.
+#[inline]
+#[must_use]
+pub fn beckmann_square(alpha: Vec2, slopes: Real3) -> Real {
+    let x = real_divide(slopes.x, ggx_alpha(alpha.x));
+    let y = real_divide(slopes.y, ggx_alpha(alpha.y));
+    real_add(real_square(x), real_square(y))
+}
+
 /// e^-r^2 for the slopes.
 #[inline]
 #[must_use]
 pub fn beckmann_rest(alpha: Vec2, slopes: Real3) -> Real {
-    let x = real_divide(slopes.x, ggx_alpha(alpha.x));
-    let y = real_divide(slopes.y, ggx_alpha(alpha.y));
-    real_exp(real_negate(real_add(real_square(x), real_square(y))))
+    real_exp(real_negate(beckmann_square(alpha, slopes)))
 }
 
 /// The fractions that give these slopes.
 #[inline]
 #[must_use]
 pub fn beckmann_fractions(alpha: Vec2, slopes: Real3) -> UVec2 {
-    let rest = beckmann_rest(alpha, slopes);
+    let square = beckmann_square(alpha, slopes);
+    // 1 - 2^-s with s = r^2 / ln 2.
+    let s = real_multiply(
+        square,
+        Real {
+            m: 3_098_164_009,
+            e: -31,
+            negative: false,
+        },
+    );
+    let radius = real_negate(real_exp2m1(real_negate(s)));
     uvec2(
-        real_fraction_of(real_subtract(real_uint(1, 0), rest), rest),
+        real_fraction_of(radius, real_exp(real_negate(square))),
         real_turns(
             real_multiply(slopes.y, ggx_alpha(alpha.x)),
             real_multiply(slopes.x, ggx_alpha(alpha.y)),
@@ -156,7 +173,7 @@ pub fn beckmann(alpha: Vec2, wo: Vec3, u: UVec2) -> Scattered {
 #[must_use]
 pub fn beckmann_pdf(alpha: Vec2, wo: Vec3, wi: Vec3) -> f32 {
     let o = real3_normalize(real3(wo));
-    let h = real3_add(real3(wi), o);
+    let h = real3_add(real3_normalize(real3(wi)), o);
     if h.z.m == 0 {
         return 0.0;
     }
@@ -173,5 +190,6 @@ pub fn beckmann_pdf(alpha: Vec2, wo: Vec3, wi: Vec3) -> f32 {
 #[must_use]
 pub fn beckmann_invert(alpha: Vec2, wo: Vec3, wi: Vec3) -> UVec2 {
     let o = real3_normalize(real3(wo));
-    beckmann_fractions(alpha, beckmann_slopes_of(real3_add(real3(wi), o)))
+    let h = real3_add(real3_normalize(real3(wi)), o);
+    beckmann_fractions(alpha, beckmann_slopes_of(h))
 }

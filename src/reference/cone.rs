@@ -8,13 +8,13 @@
 //! ULP; the inverse agrees with the sample to 2^-21. On the axis the angle is lost. Tier I.
 //! Mirror: `shaders/corput/cone.glsl`.
 
-use crate::reference::elementary::atan2;
 use crate::reference::fixed::{mul64, shl64, shr64, sub64};
 use crate::reference::real::{
     Real, real, real_add, real_divide, real_float, real_less, real_multiply, real_negate,
     real_sqrt, real_square, real_subtract, real_uint, real_wide, real_zero,
 };
-use crate::reference::sphere::{sphere_direction, sphere_fraction, sphere_versine};
+use crate::reference::real_vector::{Real3, real3, real3_floats};
+use crate::reference::sphere::{sphere_direction, sphere_fraction, sphere_turn, sphere_versine};
 use glam::{UVec2, Vec3, uvec2};
 
 /// h within its domain.
@@ -36,24 +36,24 @@ pub fn cone_versine(h: Real, u: u32) -> UVec2 {
     if h.e > -31 {
         return shl64(product, 1);
     }
-    shr64(product, (-31 - h.e).min(63) as u32)
+    shr64(product, ((-31 - h.e).min(63)) as u32)
 }
 
 /// Uniform direction for h: 1 - z = u.x h, phi = 2 pi u.y.
 #[inline]
 #[must_use]
-pub fn cone_around(h: Real, u: UVec2) -> Vec3 {
+pub fn cone_around(h: Real, u: UVec2) -> Real3 {
     let versine = real_multiply(real_uint(u.x, -32), h);
     // In fixed point 1 - z and 2 - (1 - z) lose nothing where they cancel.
     let fixed_versine = cone_versine(h, u.x);
     let mut rest = real_uint(2, 0);
     if (fixed_versine.x | fixed_versine.y) != 0 {
-        rest = real_wide(sub64(uvec2(0, 0), fixed_versine), -63);
+        rest = real_wide(sub64(UVec2::ZERO, fixed_versine), -63);
     }
     let cosine = sub64(uvec2(0, 0x8000_0000), fixed_versine);
     let mut z = real_wide(cosine, -63);
     if fixed_versine.y >= 0x8000_0000 {
-        z = real_negate(real_wide(sub64(uvec2(0, 0), cosine), -63));
+        z = real_negate(real_wide(sub64(UVec2::ZERO, cosine), -63));
     }
     sphere_direction(real_sqrt(real_multiply(versine, rest)), u.y, z)
 }
@@ -71,11 +71,9 @@ pub fn cone_density(h: Real) -> Real {
 /// Whether a direction lies within the cone of h, by 2^-21 of its distance to the poles.
 #[inline]
 #[must_use]
-pub fn cone_inside(h: Real, direction: Vec3) -> bool {
-    let x = real(direction.x);
-    let y = real(direction.y);
-    let z = real(direction.z);
-    let square = real_add(real_square(x), real_square(y));
+pub fn cone_inside(h: Real, direction: Real3) -> bool {
+    let z = direction.z;
+    let square = real_add(real_square(direction.x), real_square(direction.y));
     if z.negative {
         let rest = real_subtract(real_uint(2, 0), h);
         let least = real_multiply(rest, real_uint(2_097_151, -21));
@@ -88,11 +86,9 @@ pub fn cone_inside(h: Real, direction: Vec3) -> bool {
 /// The fractions that give this direction for h.
 #[inline]
 #[must_use]
-pub fn cone_around_invert(h: Real, direction: Vec3) -> UVec2 {
-    let x = real(direction.x);
-    let y = real(direction.y);
-    let z = real(direction.z);
-    let square = real_add(real_square(x), real_square(y));
+pub fn cone_around_invert(h: Real, direction: Real3) -> UVec2 {
+    let z = direction.z;
+    let square = real_add(real_square(direction.x), real_square(direction.y));
     let mut versine = sphere_versine(square, z);
     if z.negative {
         let rest = sphere_versine(square, real_negate(z));
@@ -100,7 +96,7 @@ pub fn cone_around_invert(h: Real, direction: Vec3) -> UVec2 {
     }
     uvec2(
         sphere_fraction(real_divide(versine, h)),
-        atan2(direction.y, direction.x),
+        sphere_turn(direction.x, direction.y),
     )
 }
 
@@ -108,7 +104,7 @@ pub fn cone_around_invert(h: Real, direction: Vec3) -> UVec2 {
 #[inline]
 #[must_use]
 pub fn cone(h: f32, u: UVec2) -> Vec3 {
-    cone_around(cone_height(h), u)
+    real3_floats(cone_around(cone_height(h), u))
 }
 
 /// 1/(2 pi h) inside, else 0.
@@ -116,7 +112,7 @@ pub fn cone(h: f32, u: UVec2) -> Vec3 {
 #[must_use]
 pub fn cone_pdf(h: f32, direction: Vec3) -> f32 {
     let height = cone_height(h);
-    if !cone_inside(height, direction) {
+    if !cone_inside(height, real3(direction)) {
         return 0.0;
     }
     real_float(cone_density(height))
@@ -126,5 +122,5 @@ pub fn cone_pdf(h: f32, direction: Vec3) -> f32 {
 #[inline]
 #[must_use]
 pub fn cone_invert(h: f32, direction: Vec3) -> UVec2 {
-    cone_around_invert(cone_height(h), direction)
+    cone_around_invert(cone_height(h), real3(direction))
 }

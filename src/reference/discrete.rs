@@ -179,7 +179,7 @@ pub fn alias_rest(first: u32, count: u32, u: UVec2, words: &[u32]) -> u32 {
     let own = words[at] / bins;
     if words[at + 1] != product.y {
         let mine = product.x < words[at];
-        place -= if mine { 0 } else { own };
+        place = place.wrapping_sub(if mine { 0 } else { own });
         size = if mine { own } else { size.wrapping_sub(own) };
     }
     // A bin of all 2^32.

@@ -108,6 +108,16 @@ pub fn ggx_area(g: Ggx) -> Real {
     real_multiply(g.stretch, g.cap_above)
 }
 
+/// a over that area; 0 where nothing is visible.
+#[inline]
+#[must_use]
+pub fn ggx_over_area(g: Ggx, a: Real) -> Real {
+    if g.cap_above.m == 0 {
+        return real_zero();
+    }
+    real_divide(a, ggx_area(g))
+}
+
 /// D(h) for the normal n of the unit sphere, of squared length n_square, where S n has the
 /// squared length s_square.
 #[inline]
@@ -139,11 +149,8 @@ pub fn ggx_reflected(g: Ggx, n: Real3, n_square: Real, cosine: Real) -> Scattere
     // 2 (wo.h) h - wo.
     let scale = real_shift(real_divide(real_multiply(g.stretch, cosine), s_square), 1);
     let wi = real3_subtract(real3_scale(s, scale), g.wo);
-    let pdf = real_divide(
-        ggx_density_of(g, s_square, n_square),
-        real_shift(ggx_area(g), 1),
-    );
-    scattered(wi, pdf)
+    let pdf = ggx_over_area(g, ggx_density_of(g, s_square, n_square));
+    scattered(wi, real_shift(pdf, -1))
 }
 
 /// The microfacet normal for the normal n of the unit sphere, and its pdf 2 (wo.h) D / area.
@@ -154,9 +161,9 @@ pub fn ggx_normal(g: Ggx, n: Real3, n_square: Real, cosine: Real) -> Scattered {
     let s_square = real3_dot(s, s);
     let inverse = real_divide(real_uint(1, 0), real_sqrt(s_square));
     let wo_h = real_multiply(real_multiply(g.stretch, cosine), inverse);
-    let pdf = real_divide(
+    let pdf = ggx_over_area(
+        g,
         real_multiply(real_shift(wo_h, 1), ggx_density_of(g, s_square, n_square)),
-        ggx_area(g),
     );
     scattered(real3_scale(s, inverse), pdf)
 }
@@ -179,20 +186,25 @@ pub fn ggx_sphere_sum(g: Ggx, h: Real3) -> Real3 {
     real3_scale(shrunk, scale)
 }
 
+/// wo + wi, a multiple of the normal between them. The length of a rounded wi, 2^-25 off, would
+/// turn that of nearly opposite directions.
+#[inline]
+#[must_use]
+pub fn ggx_half(g: Ggx, wi: Vec3) -> Real3 {
+    real3_add(real3_normalize(real3(wi)), g.wo)
+}
+
 /// The pdf D(h) / (2 area) of a reflected direction; 0 outside the cap.
 #[inline]
 #[must_use]
 pub fn ggx_pdf(g: Ggx, wi: Vec3) -> f32 {
-    let i = real3(wi);
-    let h = real3_add(i, g.wo);
+    let h = ggx_half(g, wi);
     // Nothing is outside above the horizon, whatever rounding says.
-    if i.z.negative && real_less(ggx_sphere_sum(g, h).z, g.excess) {
+    if real_less(h.z, g.wo.z) && real_less(ggx_sphere_sum(g, h).z, g.excess) {
         return 0.0;
     }
-    real_float(real_divide(
-        ggx_density(g.alpha_x, g.alpha_y, h),
-        real_shift(ggx_area(g), 1),
-    ))
+    let pdf = ggx_over_area(g, ggx_density(g.alpha_x, g.alpha_y, h));
+    real_float(real_shift(pdf, -1))
 }
 
 /// The weight G2 cos D / (4 cos cos' pdf) of a reflected direction, without Fresnel's term:

@@ -5,24 +5,26 @@
 //! A - s (A - sqrt(u) sin phi), the normal is t1 T1 + t2 T2 + w V, w = sqrt(A^2 - t2^2).
 //! By q = s (A - sqrt(u) sin phi), w = sqrt(q (2 A - q)); and (A - sqrt(u) sin phi)(A +
 //! sqrt(u) sin phi) = 1 - u, so that neither cancels; nor does the height t2 sin + w cos
-//! of the normal, see corput_ggx_vndf_height. Domain: two fractions of 2^32: u.x radius,
+//! of the normal, see ggx_vndf_height. Domain: two fractions of 2^32: u.x radius,
 //! u.y angle on the projected area. Lobes as ggx_lobe.glsl, of all visible normals. A V
 //! of +z or -z has T1 = +x. Range: unit vectors to 2^-23; reflected directions may lie
 //! below the horizon. Pdf: with respect to solid angle: of normals 2 (wo.h) D / (wo.z +
-//! |S wo|), of directions a fourth of that over wo.h. Errors: coordinates 0.6 ULP, or
-//! 2^-28 of the larger of wo and wi. The pdf 0.7 ULP, but where the sampled normal is
-//! nearly perpendicular to wo: see ggx_lobe.glsl. The inverse agrees with the sample to
-//! 2^-20 + 2^-22 / alpha. Tier I.
+//! |S wo|), of directions a fourth of that over wo.h. Errors: a coordinate half a ULP and
+//! 2^-26, the pdf 0.9 ULP, also at the edges. The inverse agrees with the sample to 2^-20
+//! + 2^-21 / (alpha |wo + wi|), and leads back to the same direction; where rounding took
+//! the normal below the horizon, to the edge. Tier I.
 //! Mirror: `shaders/corput/ggx_vndf.glsl`.
 
 use crate::reference::ggx::ggx_density;
-use crate::reference::ggx_lobe::{Ggx, ggx_area, ggx_normal, ggx_pdf, ggx_reflected};
-use crate::reference::real::{
-    Real, real_add, real_divide, real_float, real_fraction, real_multiply, real_negate, real_shift,
-    real_sqrt, real_square, real_subtract, real_uint, real_zero,
+use crate::reference::ggx_lobe::{
+    Ggx, ggx_half, ggx_normal, ggx_over_area, ggx_pdf, ggx_reflected,
 };
-use crate::reference::real_angle::{real_complement, real_turns};
-use crate::reference::real_vector::{Real3, real3, real3_add, real3_dot, real3_normalize};
+use crate::reference::real::{
+    Real, real_add, real_divide, real_float, real_multiply, real_negate, real_shift, real_sqrt,
+    real_square, real_subtract, real_uint, real_zero,
+};
+use crate::reference::real_angle::{real_complement, real_fraction_of, real_turns};
+use crate::reference::real_vector::{Real3, real3, real3_dot, real3_length, real3_normalize};
 use crate::reference::scattered::{Scattered, real3_around};
 use glam::{UVec2, Vec3, uvec2};
 
@@ -154,26 +156,52 @@ pub fn ggx_vndf_normal_pdf(g: Ggx, normal: Vec3) -> f32 {
     if wo_h.negative {
         return 0.0;
     }
-    real_float(real_divide(
+    real_float(ggx_over_area(
+        g,
         real_multiply(real_shift(wo_h, 1), ggx_density(g.alpha_x, g.alpha_y, h)),
-        ggx_area(g),
     ))
 }
 
-/// The fractions that give the normal h, of any length.
+/// t2 + A cos; where the terms differ in sign, by the difference of the squares of t2 sin and
+/// w cos, which is as exact as the sine.
 #[inline]
 #[must_use]
-pub fn ggx_vndf_fractions(g: Ggx, h: Real3) -> UVec2 {
-    let n = real3_normalize(Real3 {
+pub fn ggx_vndf_rise(sine: Real, cosine: Real, t2: Real, w: Real, a: Real) -> Real {
+    let near = real_multiply(a, cosine);
+    if near.negative == t2.negative {
+        return real_add(t2, near);
+    }
+    let mut first = real_multiply(t2, sine);
+    let mut second = real_multiply(w, cosine);
+    let height = real_add(first, second);
+    first.negative = false;
+    second.negative = false;
+    let mut other = real_subtract(t2, near);
+    other.negative = false;
+    real_divide(real_multiply(height, real_add(first, second)), other)
+}
+
+/// The fractions that give the normal h, of any length, with wo.h.
+#[inline]
+#[must_use]
+pub fn ggx_vndf_fractions(g: Ggx, h: Real3, wo_h: Real) -> UVec2 {
+    let area = real_multiply(g.alpha_x, g.alpha_y);
+    let shrunk = Real3 {
         x: real_multiply(h.x, g.alpha_y),
         y: real_multiply(h.y, g.alpha_x),
-        z: real_multiply(h.z, real_multiply(g.alpha_x, g.alpha_y)),
-    });
+        z: real_multiply(h.z, area),
+    };
+    let length = real3_length(shrunk);
+    let n = Real3 {
+        x: real_divide(shrunk.x, length),
+        y: real_divide(shrunk.y, length),
+        z: real_divide(shrunk.z, length),
+    };
     let axis = ggx_vndf_axis(g);
     let along = real_add(real_multiply(n.x, axis.x), real_multiply(n.y, axis.y));
     let t1 = real_subtract(real_multiply(n.y, axis.x), real_multiply(n.x, axis.y));
     let t2 = real_subtract(real_multiply(n.z, axis.z), real_multiply(along, g.view.z));
-    let w = real_add(real_multiply(along, axis.z), real_multiply(n.z, g.view.z));
+    let w = real_divide(real_multiply(wo_h, area), real_multiply(g.stretch, length));
     let t2_square = real_square(t2);
     let w_square = real_square(w);
     let a = real_sqrt(real_add(t2_square, w_square));
@@ -182,22 +210,30 @@ pub fn ggx_vndf_fractions(g: Ggx, h: Real3) -> UVec2 {
     if !t2.negative {
         q = real_divide(w_square, real_add(a, t2));
     }
+    // A - y and A + y, whose product is 1 - u.
     let s = real_shift(g.cap_above, -1);
-    let y = real_subtract(a, real_divide(q, s));
+    let less = real_divide(q, s);
+    let more = real_divide(ggx_vndf_rise(axis.z, g.view.z, t2, w, a), s);
+    let y = real_subtract(a, less);
     let square = real_add(real_square(t1), real_square(y));
-    uvec2(real_fraction(square), real_turns(y, t1))
+    uvec2(
+        real_fraction_of(square, real_multiply(less, more)),
+        real_turns(y, t1),
+    )
 }
 
 /// The fractions that give this direction.
 #[inline]
 #[must_use]
 pub fn ggx_vndf_invert(g: Ggx, wi: Vec3) -> UVec2 {
-    ggx_vndf_fractions(g, real3_add(real3(wi), g.wo))
+    let h = ggx_half(g, wi);
+    ggx_vndf_fractions(g, h, real_shift(real3_dot(h, h), -1))
 }
 
 /// The fractions that give this normal.
 #[inline]
 #[must_use]
 pub fn ggx_vndf_normal_invert(g: Ggx, normal: Vec3) -> UVec2 {
-    ggx_vndf_fractions(g, real3(normal))
+    let h = real3(normal);
+    ggx_vndf_fractions(g, h, real3_dot(g.wo, h))
 }

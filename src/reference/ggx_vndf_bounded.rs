@@ -20,11 +20,11 @@ use crate::reference::real::{
 use crate::reference::scattered::Scattered;
 use glam::{UVec2, Vec2, Vec3};
 
-/// The lobe of the normals within the bound.
+/// A lobe of all visible normals, less those beyond the bound.
 #[inline]
 #[must_use]
-pub fn ggx_vndf_bounded_prepare(alpha: Vec2, wo: Vec3) -> Ggx {
-    let mut g = ggx_prepare(alpha, wo);
+pub fn ggx_vndf_bound(all: Ggx) -> Ggx {
+    let mut g = all;
     if g.wo.z.negative || g.wo.z.m == 0 {
         return g;
     }
@@ -45,6 +45,13 @@ pub fn ggx_vndf_bounded_prepare(alpha: Vec2, wo: Vec3) -> Ggx {
     g.cap_above = real_add(one, real_multiply(k, g.view.z));
     g.cap_below = real_add(g.view_below, g.excess);
     g
+}
+
+/// The lobe of the normals within the bound.
+#[inline]
+#[must_use]
+pub fn ggx_vndf_bounded_prepare(alpha: Vec2, wo: Vec3) -> Ggx {
+    ggx_vndf_bound(ggx_prepare(alpha, wo))
 }
 
 /// Direction and pdf.

@@ -13,7 +13,8 @@ use crate::reference::real::{
     real_negate, real_scaled, real_shift, real_sqrt, real_square, real_subtract, real_uint,
     real_wide,
 };
-use glam::{UVec2, Vec3, uvec2, vec3};
+use crate::reference::real_vector::{Real3, real3_floats};
+use glam::{UVec2, Vec3, uvec2};
 
 /// The fraction of 2^32 nearest to a, from 0 to 2^32 - 1.
 #[inline]
@@ -43,18 +44,33 @@ pub fn sphere_versine(square: Real, z: Real) -> Real {
     real_divide(square, real_add(one, z))
 }
 
+/// The angle of (x, y) in turns, counter-clockwise from +x, as a fraction of 2^32.
+#[inline]
+#[must_use]
+pub fn sphere_turn(x: Real, y: Real) -> u32 {
+    // Both on the scale of the larger, which floats hold.
+    let mut e = -32 - x.e.max(y.e);
+    if x.m == 0 {
+        e = -32 - y.e;
+    }
+    if y.m == 0 {
+        e = -32 - x.e;
+    }
+    atan2(real_float(real_shift(y, e)), real_float(real_shift(x, e)))
+}
+
 /// radius * (cos 2 pi u, sin 2 pi u) and z.
 #[inline]
 #[must_use]
-pub fn sphere_direction(radius: Real, u: u32, z: Real) -> Vec3 {
+pub fn sphere_direction(radius: Real, u: u32, z: Real) -> Real3 {
     let phi = sincos_scaled(u);
     let cosine = real_scaled(phi.cosine, phi.cosine_negative);
     let sine = real_scaled(phi.sine, phi.sine_negative);
-    vec3(
-        real_float(real_multiply(radius, cosine)),
-        real_float(real_multiply(radius, sine)),
-        real_float(z),
-    )
+    Real3 {
+        x: real_multiply(radius, cosine),
+        y: real_multiply(radius, sine),
+        z,
+    }
 }
 
 /// Uniform direction: z = 1 - 2 u.x, phi = 2 pi u.y.
@@ -63,18 +79,17 @@ pub fn sphere_direction(radius: Real, u: u32, z: Real) -> Vec3 {
 pub fn uniform_sphere(u: UVec2) -> Vec3 {
     // u (1 - u), exact, as a fraction of 2^64.
     let square = real_wide(mul64(u.x, 0u32.wrapping_sub(u.x)), -64);
-    let mut z = real_uint(
-        if u.x < 0x8000_0000 {
-            0x8000_0000 - u.x
-        } else {
-            u.x - 0x8000_0000
-        },
-        -31,
-    );
+    let magnitude = if u.x < 0x8000_0000 {
+        0x8000_0000 - u.x
+    } else {
+        u.x - 0x8000_0000
+    };
+    let mut z = real_uint(magnitude, -31);
     if u.x > 0x8000_0000 {
         z = real_negate(z);
     }
-    sphere_direction(real_shift(real_sqrt(square), 1), u.y, z)
+    let radius = real_shift(real_sqrt(square), 1);
+    real3_floats(sphere_direction(radius, u.y, z))
 }
 
 /// 1/(4 pi).
@@ -95,8 +110,8 @@ pub fn uniform_sphere_invert(direction: Vec3) -> UVec2 {
     let turn = atan2(direction.y, direction.x);
     if z.negative {
         let rest = sphere_versine(square, real_negate(z));
-        let fraction = sphere_fraction(real_shift(rest, -1));
-        return uvec2(0u32.wrapping_sub(fraction.max(1)), turn);
+        let fraction = sphere_fraction(real_shift(rest, -1)).max(1);
+        return uvec2(0u32.wrapping_sub(fraction), turn);
     }
     let versine = sphere_versine(square, z);
     uvec2(sphere_fraction(real_shift(versine, -1)), turn)

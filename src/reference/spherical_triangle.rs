@@ -6,9 +6,9 @@
 //! seen from the origin, of any length and order; two fractions of 2^32; where they span
 //! no solid angle, +z with pdf 0; where the origin is within the triangle, the hemisphere
 //! towards a x b. Range: unit vectors to 2^-23. Pdf: with respect to solid angle, 1 over it
-//! inside, edges widened by the rounding of a direction. Errors: the solid angle 2^-24 of
-//! itself, the direction 0.6 ULP on top of 2^-26 of the longest side; the inverse agrees with
-//! the sample to 2^-20, more where the rounding of a direction is more of the triangle.
+//! inside, edges widened by the rounding of a direction. Errors: the solid angle 0.6 ULP,
+//! the direction 0.6 ULP or 2^-24 of the longest side; the inverse agrees with the sample
+//! to 2^-20, more where the rounding of a direction is more of the triangle.
 //! Tier I.
 //! Mirror: `shaders/corput/spherical_triangle.glsl`.
 
@@ -28,22 +28,31 @@ use glam::{UVec2, Vec3, uvec2, vec3};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphericalTriangle {
-    /// The vertices as unit vectors.
+    /// The first vertex, as a unit vector.
     pub a: Real3,
+    /// The second.
     pub b: Real3,
+    /// The third.
     pub c: Real3,
+    /// Half the side from a to b.
     pub ab: Arc,
+    /// Half that from b to c.
     pub bc: Arc,
+    /// Half that from c to a.
     pub ca: Arc,
-    /// Half the solid angle, in turns, and what it lacks of 1/2.
+    /// Half the solid angle, in turns.
     pub area: Real,
+    /// What it lacks of 1/2.
     pub rest: Real,
-    /// Unit normals of the sides, inwards, and at b the tangent towards a.
+    /// The unit normal of ab, inwards.
     pub ab_normal: Real3,
+    /// That of bc.
     pub bc_normal: Real3,
+    /// That of ca.
     pub ca_normal: Real3,
+    /// The unit tangent at b towards a.
     pub tangent: Real3,
-    /// The sine of the angle between b and the side ca.
+    /// The sine of the angle between b and ca.
     pub height: Real,
 }
 
@@ -54,6 +63,58 @@ pub struct SphericalTriangle {
 pub fn spherical_triangle_cosine(u: Real3, v: Real3, w: Real3, cosine: Real) -> Real {
     let square = real_shift(real_square(cosine), 1);
     real_add(square, real3_dot(real3_normalize(w), arc_sum(u, v)))
+}
+
+/// The triangle with vertices a, b, c, given the products a x b, b x c, c x a and the triple
+/// product as exactly as they can be had.
+#[inline]
+#[must_use]
+pub fn spherical_triangle_of(
+    a: Real3,
+    b: Real3,
+    c: Real3,
+    ab_across: Real3,
+    bc_across: Real3,
+    ca_across: Real3,
+    volume: Real,
+) -> SphericalTriangle {
+    let ab = arc(a, b, ab_across);
+    let bc = arc(b, c, bc_across);
+    let ca = arc(c, a, ca_across);
+    let magnitude = Real {
+        m: volume.m,
+        e: volume.e,
+        negative: false,
+    };
+    let b_length = real3_length(b);
+    let lengths = real_multiply(real_multiply(real3_length(a), b_length), real3_length(c));
+    let mut cosine = spherical_triangle_cosine(a, b, c, ab.cosine);
+    if real_less(bc.cosine, real_min(ab.cosine, ca.cosine)) {
+        cosine = spherical_triangle_cosine(b, c, a, bc.cosine);
+    } else if real_less(ca.cosine, ab.cosine) {
+        cosine = spherical_triangle_cosine(c, a, b, ca.cosine);
+    }
+    // A vertex at the origin spans nothing.
+    if lengths.m == 0 {
+        cosine = real_uint(1, 0);
+    }
+    let sine = real_divide(magnitude, lengths);
+    let height = real_divide(magnitude, real_multiply(b_length, real3_length(ca_across)));
+    SphericalTriangle {
+        a: real3_normalize(a),
+        b: real3_normalize(b),
+        c: real3_normalize(c),
+        ab,
+        bc,
+        ca,
+        area: angle(sine, cosine),
+        rest: angle(sine, real_negate(cosine)),
+        ab_normal: real3_signed(real3_normalize(ab_across), volume.negative),
+        bc_normal: real3_signed(real3_normalize(bc_across), volume.negative),
+        ca_normal: real3_signed(real3_normalize(ca_across), volume.negative),
+        tangent: real3_normalize(wide_cross(b, ab_across)),
+        height,
+    }
 }
 
 /// a . (b x c) by the sides at a, which must be the shortest.
@@ -70,9 +131,6 @@ pub fn spherical_triangle_prepare(a: Vec3, b: Vec3, c: Vec3) -> SphericalTriangl
     let va = real3(a);
     let vb = real3(b);
     let vc = real3(c);
-    let ab = arc(va, vb);
-    let bc = arc(vb, vc);
-    let ca = arc(vc, va);
     let a_length = real3_length(va);
     let b_length = real3_length(vb);
     let c_length = real3_length(vc);
@@ -82,50 +140,29 @@ pub fn spherical_triangle_prepare(a: Vec3, b: Vec3, c: Vec3) -> SphericalTriangl
     } else if real_less(c_length, a_length) {
         volume = spherical_triangle_volume(vc, va, vb);
     }
-    let negative = volume.negative;
-    volume = Real {
-        m: volume.m,
-        e: volume.e,
-        negative: false,
-    };
-    let sine = real_divide(
+    spherical_triangle_of(
+        va,
+        vb,
+        vc,
+        wide_cross(va, vb),
+        wide_cross(vb, vc),
+        wide_cross(vc, va),
         volume,
-        real_multiply(real_multiply(a_length, b_length), c_length),
-    );
-    let mut cosine = spherical_triangle_cosine(va, vb, vc, ab.cosine);
-    if real_less(bc.cosine, real_min(ab.cosine, ca.cosine)) {
-        cosine = spherical_triangle_cosine(vb, vc, va, bc.cosine);
-    } else if real_less(ca.cosine, ab.cosine) {
-        cosine = spherical_triangle_cosine(vc, va, vb, ca.cosine);
-    }
-    let across_ab = wide_cross(va, vb);
-    let across_ca = wide_cross(vc, va);
-    let height = real_divide(volume, real_multiply(b_length, real3_length(across_ca)));
-    SphericalTriangle {
-        a: real3_normalize(va),
-        b: real3_normalize(vb),
-        c: real3_normalize(vc),
-        ab,
-        bc,
-        ca,
-        area: angle(sine, cosine),
-        rest: angle(sine, real_negate(cosine)),
-        ab_normal: real3_signed(real3_normalize(across_ab), negative),
-        bc_normal: real3_signed(real3_normalize(wide_cross(vb, vc)), negative),
-        ca_normal: real3_signed(real3_normalize(across_ca), negative),
-        tangent: real3_normalize(wide_cross(vb, across_ab)),
-        height,
-    }
+    )
 }
 
 /// The moving vertex c' on ca: weight_a a + weight_c c has this length squared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MovingVertex {
+    /// Its part of a.
     pub weight_a: Real,
+    /// Its part of c.
     pub weight_c: Real,
+    /// The squared length of the sum.
     pub square: Real,
-    /// Cosine of half the angle from a to c', and of that from b to c'.
+    /// The cosine of half the angle to a.
     pub a_cosine: Real,
+    /// The cosine of half the angle to b.
     pub b_cosine: Real,
 }
 
@@ -133,9 +170,14 @@ pub struct MovingVertex {
 #[inline]
 #[must_use]
 pub fn moving_vertex(t: SphericalTriangle, before: Real, behind: Real) -> MovingVertex {
-    let before_sine = angle_sine_half(before, real_add(t.rest, behind));
-    let behind_sine = angle_sine_half(behind, real_add(t.rest, before));
+    let mut before_sine = angle_sine_half(before, real_add(t.rest, behind));
+    let mut behind_sine = angle_sine_half(behind, real_add(t.rest, before));
     let area_sine = angle_sine_half(t.area, t.rest);
+    // Of a hemisphere they are equal, also where both vanish.
+    if before_sine.m == 0 && behind_sine.m == 0 {
+        before_sine = real_uint(1, 0);
+        behind_sine = before_sine;
+    }
     let q = real_multiply(t.ab.cosine, before_sine);
     let d = real_multiply(
         real_multiply(t.bc.cosine, t.ca.cosine),

@@ -15,8 +15,11 @@ use glam::{UVec2, uvec2};
 /// (negative ? -1 : 1) * m * 2^e: bit 63 of m is set, or all of it is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wide {
+    /// The significand.
     pub m: UVec2,
+    /// The exponent; 0 for 0.
     pub e: i32,
+    /// The sign; false for 0.
     pub negative: bool,
 }
 

@@ -18,6 +18,7 @@ mod instruction;
 mod lint;
 mod parse;
 mod policy;
+mod prune;
 mod whitelist;
 
 pub use decorate::{decorate_no_contraction, is_float_arithmetic, remove_no_contraction};
@@ -26,6 +27,7 @@ pub use instruction::Instruction;
 pub use lint::{LintReport, Tier, Violation, lint};
 pub use parse::{Decorated, EntryPoint, Function, Module};
 pub use policy::{Allowance, AllowanceKind, Policy, exact_policy, native_policy};
+pub use prune::prune;
 
 /// `Result` of reading a module.
 pub type Result<T> = std::result::Result<T, Error>;

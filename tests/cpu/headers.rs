@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &str); 2] = [
 ];
 
 /// Hooks: the header that needs it, the macro, a definition.
-const HOOKS: [(&str, &str, &str); 9] = [
+const HOOKS: [(&str, &str, &str); 10] = [
     (
         "corput/halton.glsl",
         "CORPUT_PRIME",
@@ -57,6 +57,11 @@ const HOOKS: [(&str, &str, &str); 9] = [
     ),
     (
         "corput/discrete.glsl",
+        "CORPUT_DISCRETE",
+        "#define CORPUT_DISCRETE(i) ((i) * 0x9e3779b9u)\n",
+    ),
+    (
+        "corput/native/environment.glsl",
         "CORPUT_DISCRETE",
         "#define CORPUT_DISCRETE(i) ((i) * 0x9e3779b9u)\n",
     ),

@@ -1,10 +1,13 @@
 //! Environment maps are read rightly, and every bad file is refused with a message.
 
+#[path = "image/radiance.rs"]
+mod radiance;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use corput::Error;
-use corput::image::{Image, load_exr};
+use corput::image::{Image, load, load_exr, load_raw};
 use exr::prelude::*;
 
 const WIDTH: usize = 37;
@@ -99,7 +102,7 @@ fn check(path: &Path, texels: &[[f32; 3]]) {
 
 /// The message of a refusal, which names the file and ends in a remedy.
 fn refusal(path: &Path) -> String {
-    match load_exr(path) {
+    match load(path) {
         Ok(_) => panic!("{} was read", path.display()),
         Err(Error::Image {
             path: named,
@@ -260,6 +263,9 @@ fn texels_that_no_light_has_are_counted_and_located() {
         &folder.layers("one.exr", vec![part]),
         &["1 texel (column 0, row 0", "is not finite"],
     );
+    // For an environment, which counts them, they are read as they are.
+    let raw = load_raw(&folder.path("nan.exr")).unwrap();
+    assert!(raw.texels[600][1].is_nan() && raw.clamped == 0);
     // What lossy compression leaves below 0 is clamped and counted.
     let mut part = plain(&["R", "G", "B"]);
     part.channel_data.list[1] = channel("G", SampleType::F32, |i| if i == 9 { -1e-3 } else { 2.0 });

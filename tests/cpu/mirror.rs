@@ -199,6 +199,67 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
             ("&[u32]", "words"),
         ],
     ),
+    (
+        "native_environment_direction",
+        &[
+            ("UVec2", "size"),
+            ("UVec2", "texel"),
+            ("UVec2", "place"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "native_environment_density",
+        &[
+            ("UVec2", "size"),
+            ("u32", "row"),
+            ("f32", "probability"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "native_environment_texel_pdf",
+        &[("UVec2", "size"), ("UVec2", "texel"), ("&[u32]", "words")],
+    ),
+    (
+        "native_environment",
+        &[("UVec2", "size"), ("UVec2", "u"), ("&[u32]", "words")],
+    ),
+    (
+        "native_environment_pdf",
+        &[
+            ("UVec2", "size"),
+            ("Vec3", "direction"),
+            ("&[f32]", "edges"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "native_environment_invert",
+        &[
+            ("UVec2", "size"),
+            ("Vec3", "direction"),
+            ("&[f32]", "edges"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "native_environment_alias_texel_pdf",
+        &[("UVec2", "size"), ("UVec2", "texel"), ("&[u32]", "words")],
+    ),
+    (
+        "native_environment_alias",
+        &[("UVec2", "size"), ("UVec3", "u"), ("&[u32]", "words")],
+    ),
+    (
+        "native_environment_alias_pdf",
+        &[
+            ("UVec2", "size"),
+            ("Vec3", "direction"),
+            ("&[f32]", "edges"),
+            ("&[u32]", "words"),
+        ],
+    ),
 ];
 
 /// Modules that a twin may use besides those of its header's includes.

@@ -1,5 +1,7 @@
 //! Chi-square tests at a level that holds for all tests of a family together.
 
+#![allow(dead_code, reason = "each test uses a part of it")]
+
 /// The chance of any false alarm in a family.
 const FAMILY: f64 = 0.01;
 
@@ -30,7 +32,11 @@ pub fn deviate(counts: &[u32], expected: f64) -> f64 {
         .iter()
         .map(|&count| (f64::from(count) - expected).powi(2) / expected)
         .sum();
-    let freedom = (counts.len() - 1) as f64;
+    pearson(chi_square, (counts.len() - 1) as f64)
+}
+
+/// The normal deviate of Pearson's statistic with so many degrees of freedom.
+pub fn pearson(chi_square: f64, freedom: f64) -> f64 {
     let spread = 2.0 / (9.0 * freedom);
     ((chi_square / freedom).cbrt() - (1.0 - spread)) / spread.sqrt()
 }

@@ -2,6 +2,15 @@
 
 #[path = "solid/cone.rs"]
 mod cone;
+#[path = "extreme.rs"]
+mod extreme;
+#[path = "solid/lights.rs"]
+mod lights;
+#[path = "solid/planar.rs"]
+mod planar;
+#[path = "solid/rectangle.rs"]
+mod rectangle;
+mod significance;
 #[path = "solid/tools.rs"]
 mod tools;
 #[path = "solid/triangle.rs"]

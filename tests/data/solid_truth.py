@@ -113,6 +113,88 @@ def triangle():
                 line(row, "spherical-triangle", numbers, u, axis, x)
 
 
+RECTANGLES = [
+    [-0.5, -0.5, 1, 1, 0, 0, 0, 1, 0],
+    [0, 0, 1, 3e-3, 0, 0, 0, 3e-3, 0],
+    [0, 0, 1, 1e-4, 0, 0, 0, 1e-4, 0],
+    [0.3, -0.2, 1, 1e-5, 0, 0, 0, 1e-4, 0],
+    [-1, -1, 1e-4, 2, 0, 0, 0, 3, 0],
+    [0.1, 0.2, 1e-3, 2, 0, 0, 0, 3, 0],
+    [3, 1, 2, 0.5, 0, -0.5, 0, 7, 0],
+]
+
+
+def rectangle():
+    for numbers in RECTANGLES:
+        numbers = [f32(x) for x in numbers]
+        o, x, y = numbers[:3], numbers[3:6], numbers[6:]
+        a, e = plus(o, x), plus(o, y)
+        c = plus(a, y)
+        area = solid_angle(a, o, c) + solid_angle(c, o, e)
+        line(27, "spherical-rectangle", numbers, [0, 0], "area", area)
+
+
+def dominating(x, y):
+    """The concentric map."""
+    if abs(x) >= abs(y):
+        return [x * cos(pi / 4 * y / x), x * sin(pi / 4 * y / x)] if x else [mpf(0), mpf(0)]
+    return [y * sin(pi / 4 * x / y), y * cos(pi / 4 * x / y)]
+
+
+def rotated(n, local):
+    """Duff's frame, z = -0 as +0."""
+    sign = -1 if n[2] < 0 else 1
+    a = -1 / (sign + n[2])
+    t = [1 + sign * n[0] ** 2 * a, sign * n[0] * n[1] * a, -sign * n[0]]
+    b = [n[0] * n[1] * a, sign + n[1] ** 2 * a, -n[1]]
+    return plus(plus(scaled(t, local[0]), scaled(b, local[1])), scaled(n, local[2]))
+
+
+def lights():
+    fractions = [(1, 0), (2**31, 2**29 + 5), (2**32 - 1, 2**31), (12345678, 4000000000)]
+    spheres = [
+        [0, 0, 1, 1e-3],
+        [0, 0, 1e4, 1],
+        [3, 4, 12, 1e-4],
+        [0, 0, 1, 0.9999999],
+        [1e-4, 0, -1, 0.5],
+        [1e-3, -1e-3, -1, 1e-5],
+        [0.1, 0.2, 0.3, 5],
+    ]
+    for numbers in spheres:
+        numbers = [f32(x) for x in numbers]
+        c, r = numbers[:3], numbers[3]
+        d2 = dot(c, c)
+        row = 29 if c[2] < 0 else 20
+        h = 1 - sqrt(1 - r * r / d2) if d2 >= r * r else mpf(2)
+        for u in fractions:
+            line(row, "sphere-light", numbers, u, "pdf", 1 / (2 * pi * h))
+            x = h * u[0] / 2**32
+            radius, turn = sqrt(x * (2 - x)), 2 * pi * u[1] / 2**32
+            local = [radius * cos(turn), radius * sin(turn), 1 - x]
+            for axis, value in zip("xyz", rotated(unit(c), local)):
+                line(row, "sphere-light", numbers, u, axis, value)
+    disks = [
+        [0, 0, 2, 0, 0, 1, 1],
+        [0, 0, 1, 0, 0, -1, 1e-4],
+        [3, 4, 12, 1e-3, 0, -1, 1e-3],
+        [1, 0, 1e-4, 0, 0, 1, 0.5],
+        [1, 2, 3, 1, 0, -0.3, 10],
+    ]
+    for numbers in disks:
+        numbers = [f32(x) for x in numbers]
+        c, n, r = numbers[:3], unit(numbers[3:6]), numbers[6]
+        for u in fractions:
+            x, y = dominating(*(r * (2 * mpf(k) / 2**32 - 1) for k in u))
+            p = plus(c, rotated(n, [x, y, 0]))
+            d2 = dot(p, p)
+            line(27, "disk-light", numbers, u, "pdf", d2 * sqrt(d2) / (pi * r * r * abs(dot(n, c))))
+            for axis, value in zip("xyz", unit(p)):
+                line(27, "disk-light", numbers, u, axis, value)
+
+
 sphere()
 cone()
 triangle()
+rectangle()
+lights()

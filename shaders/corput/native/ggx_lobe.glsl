@@ -102,9 +102,14 @@ vec3 corput_native_ggx_sphere_sum(CorputNativeGgx g, vec3 h) {
     return n * corput_native_ggx_quotient(dot(h, h) / g.stretch, dot(n, n));
 }
 
+// wo + wi, a multiple of the normal between them.
+vec3 corput_native_ggx_half(CorputNativeGgx g, vec3 wi) {
+    return wi * corput_native_ggx_quotient(1.0, sqrt(dot(wi, wi))) + g.wo;
+}
+
 // The pdf D(h) / (2 area) of a reflected direction; 0 outside the cap.
 float corput_native_ggx_pdf(CorputNativeGgx g, vec3 wi) {
-    vec3 h = wi + g.wo;
+    vec3 h = corput_native_ggx_half(g, wi);
     vec3 n = corput_native_ggx_sphere_sum(g, h);
     // Nothing is outside above the horizon, whatever rounding says.
     if (wi.z < 0.0 && n.z < g.excess) {

@@ -93,33 +93,52 @@ float corput_native_ggx_vndf_normal_pdf(CorputNativeGgx g, vec3 normal) {
         corput_native_ggx_area(g));
 }
 
-// The fractions that give the normal h, of any length.
-uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h) {
-    vec3 n = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
-    n = n * corput_native_ggx_quotient(1.0, sqrt(dot(n, n)));
+// t2 + A cos; where the terms differ in sign, by the difference of the squares of t2 sin and
+// w cos, which is as exact as the sine.
+float corput_native_ggx_vndf_rise(float sine, float cosine, float t2, float w, float a) {
+    float near = a * cosine;
+    if (near * t2 >= 0.0) {
+        return t2 + near;
+    }
+    float first = t2 * sine;
+    float second = w * cosine;
+    return (first + second) * (abs(first) + abs(second)) / abs(t2 - near);
+}
+
+// The fractions that give the normal h, of any length, with wo.h.
+uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h, float wo_h) {
+    vec3 shrunk = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
+    float inverse = corput_native_ggx_quotient(1.0, sqrt(dot(shrunk, shrunk)));
+    vec3 n = shrunk * inverse;
     vec3 axis = corput_native_ggx_vndf_axis(g);
     float along = n.x * axis.x + n.y * axis.y;
     float t1 = n.y * axis.x - n.x * axis.y;
     float t2 = n.z * axis.z - along * g.view.z;
-    float w = along * axis.z + n.z * g.view.z;
+    float w = wo_h * inverse / g.stretch;
     float a = sqrt(t2 * t2 + w * w);
     // A - t2, from w^2 where it would cancel.
     float q = a - t2;
     if (t2 > 0.0) {
         q = w * w / (a + t2);
     }
-    float y = a - corput_native_ggx_quotient(2.0 * q, g.cap_above);
-    return uvec2(corput_native_fraction(t1 * t1 + y * y), corput_native_fraction(corput_native_turns(vec2(t1, y))));
+    // A - y and A + y, whose product is 1 - u.
+    float less = corput_native_ggx_quotient(2.0 * q, g.cap_above);
+    float rise = corput_native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a);
+    float more = corput_native_ggx_quotient(2.0 * rise, g.cap_above);
+    float y = a - less;
+    return uvec2(corput_native_fraction_of(t1 * t1 + y * y, less * more),
+        corput_native_fraction(corput_native_turns(vec2(t1, y))));
 }
 
 // The fractions that give this direction.
 uvec2 corput_native_ggx_vndf_invert(CorputNativeGgx g, vec3 wi) {
-    return corput_native_ggx_vndf_fractions(g, wi + g.wo);
+    vec3 h = corput_native_ggx_half(g, wi);
+    return corput_native_ggx_vndf_fractions(g, h, 0.5 * dot(h, h));
 }
 
 // The fractions that give this normal.
 uvec2 corput_native_ggx_vndf_normal_invert(CorputNativeGgx g, vec3 normal) {
-    return corput_native_ggx_vndf_fractions(g, normal);
+    return corput_native_ggx_vndf_fractions(g, normal, dot(g.wo, normal));
 }
 
 #endif

@@ -13,9 +13,9 @@
 
 #include "corput/native/ggx_vndf_cap.glsl"
 
-// The lobe of the normals within the bound.
-CorputNativeGgx corput_native_ggx_vndf_bounded_prepare(vec2 alpha, vec3 wo) {
-    CorputNativeGgx g = corput_native_ggx_prepare(alpha, wo);
+// A lobe of all visible normals, less those beyond the bound.
+CorputNativeGgx corput_native_ggx_vndf_bound(CorputNativeGgx all) {
+    CorputNativeGgx g = all;
     if (g.wo.z <= 0.0) {
         return g;
     }
@@ -27,6 +27,11 @@ CorputNativeGgx corput_native_ggx_vndf_bounded_prepare(vec2 alpha, vec3 wo) {
     g.cap_above = 1.0 + k * g.view.z;
     g.cap_below = g.view_below + g.excess;
     return g;
+}
+
+// The lobe of the normals within the bound.
+CorputNativeGgx corput_native_ggx_vndf_bounded_prepare(vec2 alpha, vec3 wo) {
+    return corput_native_ggx_vndf_bound(corput_native_ggx_prepare(alpha, wo));
 }
 
 // Direction and pdf.

@@ -37,11 +37,12 @@ float corput_native_ggx_vndf_cap_pdf(CorputNativeGgx g, vec3 wi) {
 
 // The fractions that give this direction.
 uvec2 corput_native_ggx_vndf_cap_invert(CorputNativeGgx g, vec3 wi) {
-    vec3 n = corput_native_ggx_sphere_sum(g, wi + g.wo);
-    float height = corput_native_ggx_quotient(n.z - g.excess, g.cap_above);
+    vec3 n = corput_native_ggx_sphere_sum(g, corput_native_ggx_half(g, wi));
     vec2 around = vec2(n.x - g.view.x, n.y - g.view.y);
-    return uvec2(corput_native_fraction_of(1.0 - height, height),
-        corput_native_fraction(corput_native_turns(around)));
+    float height = n.z - g.excess;
+    float below = corput_native_ggx_quotient(dot(around, around), height + g.cap_below);
+    return uvec2(corput_native_fraction_of(corput_native_ggx_quotient(below, g.cap_above),
+        corput_native_ggx_quotient(height, g.cap_above)), corput_native_fraction(corput_native_turns(around)));
 }
 
 #endif

@@ -1,7 +1,9 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
+mod environment;
 mod hemisphere;
 mod line;
+mod planar;
 mod scattering;
 mod spherical;
 
@@ -13,10 +15,14 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
     let (id, p) = (mapping.map().id, mapping.parameters());
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
+        Group::Planar => planar::sample(profile, id, p, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
-        Group::Scattering => scattering::sample(profile, id, p, u),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::sample(profile, id, p, u)
+        }
+        Group::Environment => environment::sample(mapping, profile, u),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::sample(profile, id, p, u)
         }
     }
 }
@@ -28,10 +34,14 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
     let s = s.map(f32::from_bits);
     let pdf = match mapping.map().group {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
+        Group::Planar => planar::pdf(profile, id, p, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
-        Group::Scattering => scattering::pdf(profile, id, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::pdf(profile, id, p, s)
+        }
+        Group::Environment => environment::pdf(mapping, profile, s),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::pdf(profile, id, p, s)
         }
     };
     pdf.to_bits()
@@ -44,10 +54,14 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
     let s = s.map(f32::from_bits);
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
+        Group::Planar => planar::invert(profile, id, p, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
-        Group::Scattering => scattering::invert(profile, id, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::invert(profile, id, p, s)
+        }
+        Group::Environment => environment::invert(mapping, s),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering::invert(profile, id, p, s)
         }
     }
 }

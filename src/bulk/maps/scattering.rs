@@ -1,4 +1,5 @@
-//! Scattering distributions: `shaders/kernels/map_scattering.comp`, line by line.
+//! Scattering distributions: `map_phase.comp`, `map_ggx.comp`, `map_ggx_cap.comp` and
+//! `map_beckmann.comp` of `shaders/kernels`.
 
 use crate::catalog::Profile;
 use crate::interface::{MAP_PARAMETERS, map};

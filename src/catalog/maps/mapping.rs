@@ -1,7 +1,8 @@
 //! A map with its parameters.
 
-use super::{Map, Parameter};
-use crate::interface::MAP_PARAMETERS;
+use super::{Group, Map, Parameter};
+use crate::environment::{Environment, Kind};
+use crate::interface::{MAP_PARAMETERS, map};
 use crate::{Error, Result};
 use std::sync::Arc;
 
@@ -63,19 +64,49 @@ impl Mapping {
                 None => refused(map, "parameters", "do not fit", "see `corput maps`"),
             }
         })?;
-        Ok(Self {
+        let mapping = Self {
             map,
             values: values.to_vec(),
             parameters,
             tables: Arc::default(),
-        })
+        };
+        if map.group != Group::Environment {
+            return Ok(mapping);
+        }
+        let options = crate::environment::Options {
+            kind: mapping.kind(),
+            ..Default::default()
+        };
+        mapping.with_environment(Environment::new(1, 1, &[[1.0; 3]], options)?)
     }
 
-    /// The same with the tables that the map's kernel binds after its points.
-    #[must_use]
-    pub fn with_tables(mut self, tables: Vec<Vec<u32>>) -> Self {
-        self.tables = Arc::new(tables);
-        self
+    /// The same with the tables of an environment; until then its light comes from everywhere
+    /// alike.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a map that draws from none, or by tables of the other kind.
+    pub fn with_environment(mut self, environment: Environment) -> Result<Self> {
+        let domain = match (self.map.group == Group::Environment, self.kind()) {
+            (false, _) => "it draws from no environment",
+            (true, kind) if kind == environment.kind() => {
+                // Bits of integers, not floats.
+                self.parameters[0] = f32::from_bits(environment.width());
+                self.parameters[1] = f32::from_bits(environment.height());
+                self.tables = Arc::new(vec![environment.into_words()]);
+                return Ok(self);
+            }
+            (true, Kind::Hierarchical) => "it must be built with Kind::Hierarchical",
+            (true, Kind::Alias) => "it must be built with Kind::Alias",
+        };
+        Err(refused(self.map, "env", "does not fit", domain))
+    }
+
+    /// The tables of an environment that this map draws by.
+    fn kind(&self) -> Kind {
+        match self.map.id {
+            map::ENVIRONMENT_ALIAS => Kind::Alias,
+            _ => Kind::Hierarchical,
+        }
     }
 
     /// The map.

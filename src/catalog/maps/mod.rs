@@ -7,9 +7,11 @@
 //! `bulk/maps` with the three functions over the twins, and one in `judge` that
 //! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
 
+mod environment;
 mod hemisphere;
 mod line;
 mod mapping;
+mod planar;
 mod scattering;
 mod spherical;
 
@@ -24,10 +26,10 @@ use crate::{Error, Result};
 pub enum Group {
     /// Disk and hemisphere.
     Hemisphere,
+    /// Uniform points of plane figures.
+    Planar,
     /// Uniform directions of solid angles.
     Spherical,
-    /// Phase functions and microsurfaces.
-    Scattering,
     /// Free flight, and one normal distribution.
     Line,
     /// Two normal distributions.
@@ -36,6 +38,16 @@ pub enum Group {
     Filter,
     /// The truncated Gaussian as a pixel filter.
     GaussianFilter,
+    /// Environment maps.
+    Environment,
+    /// Phase functions.
+    Phase,
+    /// Visible normals of GGX by a disk.
+    Ggx,
+    /// Visible normals of GGX by spherical caps.
+    GgxCap,
+    /// Microsurfaces of Beckmann.
+    Beckmann,
 }
 
 impl Group {
@@ -44,12 +56,17 @@ impl Group {
     pub fn kernel(self, profile: Profile) -> &'static str {
         let names = match self {
             Self::Hemisphere => ["map_hemisphere", "map_hemisphere_native"],
-            Self::Scattering => ["map_scattering", "map_scattering_native"],
+            Self::Phase => ["map_phase", "map_phase_native"],
+            Self::Ggx => ["map_ggx", "map_ggx_native"],
+            Self::GgxCap => ["map_ggx_cap", "map_ggx_cap_native"],
+            Self::Beckmann => ["map_beckmann", "map_beckmann_native"],
+            Self::Planar => ["map_planar", "map_planar_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
             Self::Line => ["map_line", "map_line_native"],
             Self::Normal => ["map_normal", "map_normal_native"],
             Self::Filter => ["map_filter", "map_filter_native"],
             Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
+            Self::Environment => ["map_environment", "map_environment_native"],
         };
         match profile {
             Profile::Exact => names[0],
@@ -151,9 +168,11 @@ impl PartialEq for Map {
 /// The groups in the order of the documentation.
 const GROUPS: &[&[Map]] = &[
     hemisphere::MAPS,
+    planar::MAPS,
     spherical::MAPS,
     scattering::MAPS,
     line::MAPS,
+    environment::MAPS,
 ];
 
 /// Every map.

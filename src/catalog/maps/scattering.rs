@@ -31,7 +31,7 @@ const WO: Parameter = Parameter {
 /// What these maps have in common.
 const BASE: Map = Map {
     name: "",
-    group: Group::Scattering,
+    group: Group::Ggx,
     id: 0,
     dimensions: 2,
     coordinates: 3,
@@ -68,6 +68,7 @@ const LOBES: &[&[f64]] = &[
 pub(super) const MAPS: &[Map] = &[
     Map {
         name: "henyey-greenstein",
+        group: Group::Phase,
         id: map::HENYEY_GREENSTEIN,
         parameters: &[Parameter {
             name: "g",
@@ -113,6 +114,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "ggx-vndf-cap",
+        group: Group::GgxCap,
         id: map::GGX_VNDF_CAP,
         summary: "reflection at the visible normals of GGX, by spherical caps",
         source: "Dupuy and Benyoub 2023",
@@ -120,6 +122,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "ggx-vndf-bounded",
+        group: Group::GgxCap,
         id: map::GGX_VNDF_BOUNDED,
         pdf: "D(h) / (2 (k wo.z + |S wo|))",
         summary: "the same without most of what would lie below the horizon",
@@ -128,6 +131,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "beckmann-normal",
+        group: Group::Beckmann,
         id: map::BECKMANN_NORMAL,
         parameters: &[ALPHA, ALPHA_Y],
         examples: &[
@@ -147,6 +151,7 @@ pub(super) const MAPS: &[Map] = &[
     },
     Map {
         name: "beckmann",
+        group: Group::Beckmann,
         id: map::BECKMANN,
         examples: &[
             &[0.1, 0.0, 0.8, 0.0, 0.6],

@@ -3,6 +3,7 @@
 use crate::catalog::{Group, Mapping};
 use crate::interface::{MAP_PARAMETERS, map};
 use crate::judge;
+use crate::judge::environment::EnvironmentTables;
 
 /// Coordinates of the sample and then its pdf, in `f64`; `None` where no judge knows.
 #[must_use]
@@ -10,16 +11,43 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
     let id = mapping.map().id;
     match mapping.map().group {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
+        Group::Planar => Some(planar(id, mapping.parameters(), [u[0], u[1]])),
         Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
-        Group::Scattering => scattering(id, mapping.parameters(), [u[0], u[1]]),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line(id, mapping.parameters(), [u[0], u[1]])
+        }
+        Group::Environment => environment(mapping, u),
+        Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
+            scattering(id, mapping.parameters(), [u[0], u[1]])
         }
     }
 }
 
+fn environment(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
+    let [width, height, ..] = mapping.words();
+    let tables = EnvironmentTables {
+        width,
+        height,
+        alias: mapping.map().id == map::ENVIRONMENT_ALIAS,
+        words: mapping.tables().first()?,
+    };
+    Some(tables.sample(u))
+}
+
+fn planar(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> [f64; 4] {
+    let vertex = |i: usize| [p[i], p[i + 1]].map(f64::from);
+    let [x, y, pdf] = match id {
+        map::TRIANGLE => judge::planar::triangle([vertex(0), vertex(2), vertex(4)], u),
+        map::REGULAR_POLYGON => judge::planar::regular_polygon(p[0].to_bits(), u),
+        _ => judge::planar::annulus(p[0], u),
+    };
+    [x, y, pdf, 0.0]
+}
+
 fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
     let uniform = |[x, y, z]: [f64; 3], solid_angle: f64| Some([x, y, z, 1.0 / solid_angle]);
+    let vector = |i: usize| [p[i], p[i + 1], p[i + 2]].map(f64::from);
+    let vectors = || [vector(0), vector(3), vector(6)];
     match id {
         map::UNIFORM_SPHERE => uniform(
             judge::spherical::uniform_sphere(u),
@@ -29,6 +57,26 @@ fn spherical(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]
             judge::spherical::cone(p[0], u),
             judge::spherical::cone_solid_angle(p[0]),
         ),
+        map::SPHERICAL_TRIANGLE => {
+            let [a, b, c] = vectors();
+            let solid_angle = judge::spherical_triangle::solid_angle(a, b, c);
+            uniform(
+                judge::spherical_triangle::spherical_triangle([a, b, c], u),
+                solid_angle,
+            )
+        }
+        map::SPHERICAL_RECTANGLE => uniform(
+            judge::spherical_triangle::spherical_rectangle(vectors(), u),
+            judge::spherical_triangle::rectangle_solid_angle(vectors()),
+        ),
+        map::SPHERE_LIGHT => {
+            let ([x, y, z], pdf) = judge::lights::sphere_light(vector(0), p[3].into(), u);
+            Some([x, y, z, pdf])
+        }
+        map::DISK_LIGHT => {
+            let ([x, y, z], pdf) = judge::lights::disk_light(vector(0), vector(3), p[6].into(), u);
+            Some([x, y, z, pdf])
+        }
         _ => None,
     }
 }

@@ -178,6 +178,8 @@ const EVALUATORS: &[Kernel] = &[
     evaluate("evaluate_native", "evaluate.comp", &[("KERNEL_NATIVE", "1")], Profile::Native),
     evaluate("evaluate_blue_noise", "evaluate_blue_noise.comp", &[], Profile::Integer),
     evaluate("evaluate_blue_noise_portable", "evaluate_blue_noise.comp", PORTABLE, Profile::Integer),
+    evaluate("evaluate_discrete", "evaluate_discrete.comp", &[], Profile::Integer),
+    evaluate("evaluate_discrete_portable", "evaluate_discrete.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_domain", "evaluate_domain.comp", &[], Profile::Integer),
     evaluate("evaluate_domain_portable", "evaluate_domain.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_elementary", "evaluate_elementary.comp", &[], Profile::Integer),
@@ -194,13 +196,40 @@ const EVALUATORS: &[Kernel] = &[
 
 const MAPPED: &[Binding] = &[RESULTS, POINTS];
 
+/// Tables follow the points, in two buffers of at most
+/// [`TABLE_WORDS`](super::TABLE_WORDS) words.
+const TABLED: &[Binding] = &[
+    RESULTS,
+    POINTS,
+    Binding {
+        binding: 2,
+        name: "tables",
+        element: Element::Uint,
+        input: true,
+    },
+    Binding {
+        binding: 3,
+        name: "more_tables",
+        element: Element::Uint,
+        input: true,
+    },
+];
+
 /// The maps, by group, in both profiles.
 #[rustfmt::skip]
 const MAPPERS: &[Kernel] = &[
+    maps("map_beckmann", "map_beckmann.comp", MAPPED, Profile::Integer),
+    maps("map_beckmann_native", "map_beckmann.comp", MAPPED, Profile::Native),
+    maps("map_ggx", "map_ggx.comp", MAPPED, Profile::Integer),
+    maps("map_ggx_native", "map_ggx.comp", MAPPED, Profile::Native),
+    maps("map_ggx_cap", "map_ggx_cap.comp", MAPPED, Profile::Integer),
+    maps("map_ggx_cap_native", "map_ggx_cap.comp", MAPPED, Profile::Native),
     maps("map_hemisphere", "map_hemisphere.comp", MAPPED, Profile::Integer),
     maps("map_hemisphere_native", "map_hemisphere.comp", MAPPED, Profile::Native),
-    maps("map_scattering", "map_scattering.comp", MAPPED, Profile::Integer),
-    maps("map_scattering_native", "map_scattering.comp", MAPPED, Profile::Native),
+    maps("map_phase", "map_phase.comp", MAPPED, Profile::Integer),
+    maps("map_phase_native", "map_phase.comp", MAPPED, Profile::Native),
+    maps("map_planar", "map_planar.comp", MAPPED, Profile::Integer),
+    maps("map_planar_native", "map_planar.comp", MAPPED, Profile::Native),
     maps("map_spherical", "map_spherical.comp", MAPPED, Profile::Integer),
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
     maps("map_line", "map_line.comp", MAPPED, Profile::Integer),
@@ -211,6 +240,8 @@ const MAPPERS: &[Kernel] = &[
     maps("map_filter_native", "map_filter.comp", MAPPED, Profile::Native),
     maps("map_filter_gaussian", "map_filter_gaussian.comp", MAPPED, Profile::Integer),
     maps("map_filter_gaussian_native", "map_filter_gaussian.comp", MAPPED, Profile::Native),
+    maps("map_environment", "map_environment.comp", TABLED, Profile::Integer),
+    maps("map_environment_native", "map_environment.comp", TABLED, Profile::Native),
 ];
 
 const MADE: usize = POINT_KERNELS * FAMILIES.len();

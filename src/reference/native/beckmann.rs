@@ -26,7 +26,7 @@ pub fn native_beckmann_square(u: u32) -> f32 {
 /// (slopes, 1), not normalised.
 #[must_use]
 pub fn native_beckmann_slopes(alpha: Vec2, u: UVec2) -> Vec3 {
-    let around = native_around((native_beckmann_square(u.x)).sqrt(), u.y, 1.0);
+    let around = native_around(native_beckmann_square(u.x).sqrt(), u.y, 1.0);
     vec3(
         around.x * native_ggx_alpha(alpha.x),
         around.y * native_ggx_alpha(alpha.y),

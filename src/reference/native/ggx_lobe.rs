@@ -121,10 +121,16 @@ pub fn native_ggx_sphere_sum(g: NativeGgx, h: Vec3) -> Vec3 {
     n * native_ggx_quotient(h.dot(h) / g.stretch, n.dot(n))
 }
 
+/// wo + wi, a multiple of the normal between them.
+#[must_use]
+pub fn native_ggx_half(g: NativeGgx, wi: Vec3) -> Vec3 {
+    wi * native_ggx_quotient(1.0, (wi.dot(wi)).sqrt()) + g.wo
+}
+
 /// The pdf D(h) / (2 area) of a reflected direction; 0 outside the cap.
 #[must_use]
 pub fn native_ggx_pdf(g: NativeGgx, wi: Vec3) -> f32 {
-    let h = wi + g.wo;
+    let h = native_ggx_half(g, wi);
     let n = native_ggx_sphere_sum(g, h);
     // Nothing is outside above the horizon, whatever rounding says.
     if wi.z < 0.0 && n.z < g.excess {

@@ -10,11 +10,11 @@
 use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
 use crate::reference::native::ggx::native_ggx_distribution;
 use crate::reference::native::ggx_lobe::{
-    NativeGgx, native_ggx_area, native_ggx_normal, native_ggx_pdf, native_ggx_quotient,
-    native_ggx_reflected,
+    NativeGgx, native_ggx_area, native_ggx_half, native_ggx_normal, native_ggx_pdf,
+    native_ggx_quotient, native_ggx_reflected,
 };
 use crate::reference::native::hemisphere::native_complement;
-use crate::reference::native::scattered::{NativeScattered, native_around};
+use crate::reference::native::scattered::{NativeScattered, native_around, native_fraction_of};
 use glam::{UVec2, Vec3, uvec2, vec2, vec3};
 
 /// A visible normal of the unit sphere.
@@ -51,7 +51,7 @@ pub fn native_ggx_vndf_height(sine: f32, cosine: f32, t2: f32, w: f32, a: f32, r
 #[must_use]
 pub fn native_ggx_vndf_visible(g: NativeGgx, u: UVec2) -> NativeGgxVisible {
     let rest = native_complement(u.x);
-    let disk = native_around((native_unit(u.x)).sqrt(), u.y, 0.0);
+    let disk = native_around(native_unit(u.x).sqrt(), u.y, 0.0);
     let a = (rest + disk.y * disk.y).sqrt();
     // A - y and A + y.
     let far = a + disk.y.abs();
@@ -110,25 +110,43 @@ pub fn native_ggx_vndf_normal_pdf(g: NativeGgx, normal: Vec3) -> f32 {
     )
 }
 
-/// The fractions that give the normal h, of any length.
+/// t2 + A cos; where the terms differ in sign, by the difference of the squares of t2 sin and
+/// w cos, which is as exact as the sine.
 #[must_use]
-pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3) -> UVec2 {
-    let mut n = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
-    n = n * native_ggx_quotient(1.0, (n.dot(n)).sqrt());
+pub fn native_ggx_vndf_rise(sine: f32, cosine: f32, t2: f32, w: f32, a: f32) -> f32 {
+    let near = a * cosine;
+    if near * t2 >= 0.0 {
+        return t2 + near;
+    }
+    let first = t2 * sine;
+    let second = w * cosine;
+    (first + second) * (first.abs() + second.abs()) / (t2 - near).abs()
+}
+
+/// The fractions that give the normal h, of any length, with wo.h.
+#[must_use]
+pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3, wo_h: f32) -> UVec2 {
+    let shrunk = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
+    let inverse = native_ggx_quotient(1.0, (shrunk.dot(shrunk)).sqrt());
+    let n = shrunk * inverse;
     let axis = native_ggx_vndf_axis(g);
     let along = n.x * axis.x + n.y * axis.y;
     let t1 = n.y * axis.x - n.x * axis.y;
     let t2 = n.z * axis.z - along * g.view.z;
-    let w = along * axis.z + n.z * g.view.z;
+    let w = wo_h * inverse / g.stretch;
     let a = (t2 * t2 + w * w).sqrt();
     // A - t2, from w^2 where it would cancel.
     let mut q = a - t2;
     if t2 > 0.0 {
         q = w * w / (a + t2);
     }
-    let y = a - native_ggx_quotient(2.0 * q, g.cap_above);
+    // A - y and A + y, whose product is 1 - u.
+    let less = native_ggx_quotient(2.0 * q, g.cap_above);
+    let rise = native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a);
+    let more = native_ggx_quotient(2.0 * rise, g.cap_above);
+    let y = a - less;
     uvec2(
-        native_fraction(t1 * t1 + y * y),
+        native_fraction_of(t1 * t1 + y * y, less * more),
         native_fraction(native_turns(vec2(t1, y))),
     )
 }
@@ -136,11 +154,12 @@ pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3) -> UVec2 {
 /// The fractions that give this direction.
 #[must_use]
 pub fn native_ggx_vndf_invert(g: NativeGgx, wi: Vec3) -> UVec2 {
-    native_ggx_vndf_fractions(g, wi + g.wo)
+    let h = native_ggx_half(g, wi);
+    native_ggx_vndf_fractions(g, h, 0.5 * h.dot(h))
 }
 
 /// The fractions that give this normal.
 #[must_use]
 pub fn native_ggx_vndf_normal_invert(g: NativeGgx, normal: Vec3) -> UVec2 {
-    native_ggx_vndf_fractions(g, normal)
+    native_ggx_vndf_fractions(g, normal, g.wo.dot(normal))
 }

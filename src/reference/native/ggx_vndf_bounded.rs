@@ -12,10 +12,10 @@ use crate::reference::native::ggx_vndf_cap::{native_ggx_vndf_cap, native_ggx_vnd
 use crate::reference::native::scattered::NativeScattered;
 use glam::{UVec2, Vec2, Vec3};
 
-/// The lobe of the normals within the bound.
+/// A lobe of all visible normals, less those beyond the bound.
 #[must_use]
-pub fn native_ggx_vndf_bounded_prepare(alpha: Vec2, wo: Vec3) -> NativeGgx {
-    let mut g = native_ggx_prepare(alpha, wo);
+pub fn native_ggx_vndf_bound(all: NativeGgx) -> NativeGgx {
+    let mut g = all;
     if g.wo.z <= 0.0 {
         return g;
     }
@@ -27,6 +27,12 @@ pub fn native_ggx_vndf_bounded_prepare(alpha: Vec2, wo: Vec3) -> NativeGgx {
     g.cap_above = 1.0 + k * g.view.z;
     g.cap_below = g.view_below + g.excess;
     g
+}
+
+/// The lobe of the normals within the bound.
+#[must_use]
+pub fn native_ggx_vndf_bounded_prepare(alpha: Vec2, wo: Vec3) -> NativeGgx {
+    native_ggx_vndf_bound(native_ggx_prepare(alpha, wo))
 }
 
 /// Direction and pdf.

@@ -1,9 +1,12 @@
 //! The native profile's formulas in `f32`: a twin by formula, not by bits, since each
 //! device has functions of its own.
 
+pub mod annulus;
 pub mod beckmann;
 pub mod cone;
 pub mod disk;
+pub mod disk_light;
+pub mod environment;
 pub mod filter;
 pub mod frame;
 pub mod free_flight;
@@ -17,5 +20,10 @@ pub mod hemisphere;
 pub mod henyey_greenstein;
 pub mod normal_quantile;
 pub mod reflect;
+pub mod regular_polygon;
 pub mod scattered;
 pub mod sphere;
+pub mod sphere_light;
+pub mod spherical_rectangle;
+pub mod spherical_triangle;
+pub mod triangle;

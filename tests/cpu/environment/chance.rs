@@ -1,6 +1,6 @@
 //! Samples against the pdf: chi-square over the texels, and moments of 1/pdf.
 
-use super::significance::critical;
+use super::significance::{critical, pearson};
 use super::support::{Tables, maps};
 use corput::environment::Kind;
 use corput::glam::{UVec2, UVec3, uvec2, uvec3};
@@ -36,9 +36,7 @@ fn deviate(tables: &Tables, seed: u32, sample: impl Fn(UVec3) -> UVec2) -> f64 {
             (count, expected) = (0.0, 0.0);
         }
     }
-    let freedom = f64::from((cells - 1).max(1));
-    let spread = 2.0 / (9.0 * freedom);
-    ((chi_square / freedom).cbrt() - (1.0 - spread)) / spread.sqrt()
+    pearson(chi_square, f64::from((cells - 1).max(1)))
 }
 
 fn met(tables: &Tables, u: UVec3) -> UVec2 {

@@ -2,6 +2,7 @@
 
 use corput::environment::{Environment, Kind, Options};
 use corput::glam::{UVec2, UVec3, Vec3, uvec2, uvec3};
+use corput::judge::environment::EnvironmentTables;
 use corput::reference::environment as twin;
 use corput::reference::permute::permute_mix as mix;
 
@@ -129,111 +130,26 @@ impl Tables {
         twin::environment_invert(self.size, direction, &self.edges, &self.words)
     }
 
-    fn marginal(&self) -> usize {
-        3 * self.size.y as usize + 2
-    }
-
-    fn conditional(&self, row: u32) -> usize {
-        4 * self.size.y as usize + 2 + (row * self.size.x) as usize
-    }
-
-    /// Start and end of an item of the CDF of `count` items at a word, by a linear reading.
-    fn item(&self, first: usize, index: u32) -> (u64, u64) {
-        let positive = self.words[first];
-        let start = |i: u32| match i {
-            0 => 0,
-            i if i >= positive => 1 << 32,
-            i => u64::from(self.words[first + i as usize]),
-        };
-        if positive == 0 {
-            return (0, 0);
+    /// The judge's reading of the words.
+    pub fn judge(&self) -> EnvironmentTables<'_> {
+        EnvironmentTables {
+            width: self.size.x,
+            height: self.size.y,
+            alias: self.kind == Kind::Alias,
+            words: &self.words,
         }
-        (start(index), start(index + 1))
-    }
-
-    /// The item of a CDF that holds u, by a linear search.
-    fn find(&self, first: usize, count: u32, u: u32) -> u32 {
-        (0..count)
-            .find(|&i| {
-                let (start, end) = self.item(first, i);
-                (start..end).contains(&u64::from(u))
-            })
-            .expect("an item")
     }
 
     /// Column and row that u draws.
     pub fn drawn(&self, u: UVec3) -> UVec2 {
-        if self.kind == Kind::Alias {
-            let count = u64::from(self.size.x * self.size.y);
-            let product = u64::from(u.x) * count;
-            let bin = (product >> 32) as usize;
-            let at = self.marginal() + 3 * bin;
-            let own = (product as u32) < self.words[at];
-            let index = if own { bin as u32 } else { self.words[at + 1] };
-            return uvec2(index % self.size.x, index / self.size.x);
-        }
-        let row = self.find(self.marginal(), self.size.y, u.x);
-        uvec2(self.find(self.conditional(row), self.size.x, u.y), row)
-    }
-
-    /// Probability of a texel, out of 2^64.
-    pub fn weight(&self, texel: UVec2) -> u128 {
-        let width = |(start, end): (u64, u64)| u128::from(end - start);
-        match self.kind {
-            Kind::Hierarchical => {
-                width(self.item(self.marginal(), texel.y))
-                    * width(self.item(self.conditional(texel.y), texel.x))
-            }
-            Kind::Alias => {
-                let index = texel.y * self.size.x + texel.x;
-                let at = self.marginal() + 3 * index as usize;
-                let own = self.words[at + 1] == index && self.words[at + 2] == 0;
-                (u128::from(self.words[at + 2]) | u128::from(own) << 32) << 32
-            }
-        }
+        UVec2::from(self.judge().drawn(u.to_array()))
     }
 
     pub fn probability(&self, texel: UVec2) -> f64 {
-        self.weight(texel) as f64 / f64::powi(2.0, 64)
+        self.judge().probability(texel.to_array())
     }
 
-    /// Widths of the ranges of u.y and u.x that draw a texel.
-    pub fn range(&self, texel: UVec2) -> (f64, f64) {
-        let width = |(start, end): (u64, u64)| (end - start) as f64;
-        (
-            width(self.item(self.conditional(texel.y), texel.x)),
-            width(self.item(self.marginal(), texel.y)),
-        )
-    }
-
-    /// Difference of z of a row's edges, by another formula than the tables'.
-    pub fn thickness(&self, row: u32) -> f64 {
-        let angle = std::f64::consts::PI / f64::from(self.size.y);
-        let middle = angle * (f64::from(row) + 0.5);
-        2.0 * middle.sin() * (0.5 * angle).sin()
-    }
-
-    /// Solid angle of a texel of a row.
     pub fn solid_angle(&self, row: u32) -> f64 {
-        self.thickness(row) * std::f64::consts::TAU / f64::from(self.size.x)
-    }
-
-    /// The direction that u draws from the hierarchical tables, in f64; `aside` moves it
-    /// down by that part of its texel.
-    pub fn judge(&self, u: UVec2, aside: f64) -> [f64; 3] {
-        let texel = self.drawn(u.extend(0));
-        let place = |first: usize, index: u32, u: u32| {
-            let (start, end) = self.item(first, index);
-            ((u64::from(u) - start) as f64 + 0.5) / (end - start) as f64
-        };
-        let across = place(self.conditional(texel.y), texel.x, u.y);
-        let down = (place(self.marginal(), texel.y, u.x) + aside).clamp(0.0, 1.0);
-        let angle = std::f64::consts::PI / f64::from(self.size.y);
-        // The cap 1 - z above the texel's upper edge is 2 sin^2(t/2).
-        let cap =
-            2.0 * (0.5 * angle * f64::from(texel.y)).sin().powi(2) + down * self.thickness(texel.y);
-        let radius = (cap * (2.0 - cap)).max(0.0).sqrt();
-        let phi = std::f64::consts::TAU * (f64::from(texel.x) + across) / f64::from(self.size.x);
-        [radius * phi.cos(), radius * phi.sin(), 1.0 - cap]
+        self.judge().solid_angle(row)
     }
 }

@@ -1,6 +1,9 @@
 //! The reference against the judge: coordinates and pdf of samples, pdf of directions.
 
 use super::lobes::*;
+use corput::bulk::map_sample;
+use corput::catalog::{Group, Profile, maps};
+use corput::check::{examples, truth};
 use corput::glam::{UVec2, Vec3};
 use corput::judge::ulp_error;
 
@@ -19,6 +22,11 @@ const ULP: f64 = 0.9;
 /// A cap's normal this near to perpendicular to the view has no pdf to many digits: its
 /// direction on the unit sphere is a small sum of two large vectors.
 const PERPENDICULAR: f64 = 1.0 / 64.0;
+
+/// The unit of the last place of a float.
+fn ulp_of(x: f64) -> f64 {
+    f64::powi(2.0, x.log2().floor() as i32 - 23)
+}
 
 /// How far x is from truth beyond half a ULP of truth.
 fn excess(x: f32, truth: f64) -> f64 {
@@ -72,8 +80,9 @@ fn pdfs_of_directions_are_those_of_the_judge() {
         for u in fractions(RANDOM) {
             let d = lobe.sample(u).direction;
             let sum = f64::from((d + Vec3::from(lobe.wo)).length());
-            // Opposite directions have no normal between them.
-            if sum < 1.0 / 4096.0 {
+            // Opposite directions have no normal between them, and D ends at the horizon.
+            let reflects = !matches!(lobe.kind, Kind::HenyeyGreenstein | Kind::Normal);
+            if sum < 1.0 / 4096.0 || (reflects && d.z + lobe.wo[2] < 2e-7) {
                 continue;
             }
             let bound = match lobe.kind {
@@ -94,6 +103,36 @@ fn pdfs_of_directions_are_those_of_the_judge() {
         }
         println!("{lobe:?}: pdf of directions {worst:.3} of its bound");
         assert!(worst <= 1.0, "{lobe:?}: {worst}");
+    }
+}
+
+/// What the catalogue says of its maps, Beckmann's among them, with all its examples.
+#[test]
+fn the_catalogue_is_right_about_its_errors() {
+    let groups = [Group::Phase, Group::Ggx, Group::GgxCap, Group::Beckmann];
+    for map in maps().filter(|map| groups.contains(&map.group)) {
+        let (mut coordinate, mut pdf) = (0f64, 0f64);
+        for mapping in examples(map).expect("examples in their domains") {
+            for u in fractions(RANDOM) {
+                let u = [u.x, u.y, 0];
+                let Some(truth) = truth(&mapping, u) else {
+                    continue;
+                };
+                let got = map_sample(&mapping, Profile::Exact, u).map(f32::from_bits);
+                for k in 0..3 {
+                    let unit = truth[k].abs().max(map.floor);
+                    let ulp = if unit > 0.0 { ulp_of(unit) } else { 1.0 };
+                    coordinate = coordinate.max((f64::from(got[k]) - truth[k]).abs() / ulp);
+                }
+                pdf = pdf.max(ulp_error(got[3], truth[3]));
+            }
+        }
+        println!(
+            "{}: {coordinate:.3} of {} ULP, pdf {pdf:.3} of {}",
+            map.name, map.ulp, map.pdf_ulp
+        );
+        assert!(coordinate <= map.ulp, "{}: {coordinate}", map.name);
+        assert!(pdf <= map.pdf_ulp, "{}: {pdf}", map.name);
     }
 }
 

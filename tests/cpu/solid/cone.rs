@@ -1,6 +1,7 @@
 //! The sphere and cones.
 
-use super::tools::{extreme, grid, relative, truth, turn_distance, unit};
+use super::extreme::extreme;
+use super::tools::{grid, relative, truth, turn_distance, unit};
 use corput::glam::{UVec2, Vec3, uvec2, vec3};
 use corput::judge::{spherical, ulp_error};
 use corput::reference::cone::{cone, cone_invert, cone_pdf};
@@ -128,7 +129,6 @@ fn degenerate_input_gives_what_the_headers_say() {
 
 #[test]
 fn extreme_spheres_and_cones() {
-    println!("| row | input | naive | ours | threshold |");
     for t in truth("uniform-sphere") {
         let direction = uniform_sphere(t.u);
         let got = if t.quantity == "x" {

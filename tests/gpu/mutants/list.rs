@@ -1,8 +1,10 @@
 //! The mutants: mistakes that a port, a refactoring or a compiler could make.
 
+mod discrete;
 mod elementary;
 mod foundation;
 mod line;
+mod scattering;
 mod sequences;
 mod sets;
 
@@ -61,8 +63,10 @@ const fn twice(mut mutant: Mutant) -> Mutant {
 /// Every mutant.
 pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
     [
+        discrete::MUTANTS,
         elementary::MUTANTS,
         foundation::MUTANTS,
+        scattering::MUTANTS,
         line::MUTANTS,
         sequences::MUTANTS,
         sets::MUTANTS,

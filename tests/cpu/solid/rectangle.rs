@@ -1,0 +1,167 @@
+//! Spherical rectangles.
+
+use super::extreme::extreme;
+use super::tools::{doubles, excess, grid, integrated, random, relative, truth, unit};
+use corput::glam::{Vec3, uvec2, vec3};
+use corput::judge::{spherical_triangle as judge, ulp_error};
+use corput::reference::native::spherical_rectangle as native;
+use corput::reference::spherical_rectangle::*;
+
+/// Ordinary rectangles, and small, wide, thin and near ones.
+const RECTANGLES: [[f32; 9]; 8] = [
+    [-0.5, -0.5, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0, 3e-3, 0.0, 0.0, 0.0, 3e-3, 0.0],
+    [0.0, 0.0, 1.0, 1e-5, 0.0, 0.0, 0.0, 1e-5, 0.0],
+    [0.3, -0.2, 1.0, 0.01, 0.0, 0.0, 0.0, 0.2, 0.0],
+    [-1.0, -1.0, 1e-3, 2.0, 0.0, 0.0, 0.0, 3.0, 0.0],
+    [0.1, 0.2, 1e-2, 2.0, 0.0, 0.0, 0.0, 3.0, 0.0],
+    [3.0, 1.0, 2.0, 0.5, 0.0, -0.5, 0.0, 7.0, 0.0],
+    [-1.0, -2.0, -3.0, 0.0, 3.0, 0.0, 7.0, 0.0, 0.0],
+];
+
+fn sides(p: [f32; 9]) -> [Vec3; 3] {
+    [
+        vec3(p[0], p[1], p[2]),
+        vec3(p[3], p[4], p[5]),
+        vec3(p[6], p[7], p[8]),
+    ]
+}
+
+fn prepared(p: [f32; 9]) -> SphericalRectangle {
+    let [corner, x, y] = sides(p);
+    spherical_rectangle_prepare(corner, x, y)
+}
+
+/// The longest side of the rectangle on the unit sphere.
+fn size(p: [f32; 9]) -> f64 {
+    let [o, x, y] = sides(p).map(Vec3::as_dvec3);
+    let chord = |v: corput::glam::DVec3| (v.normalize() - o.normalize()).length();
+    chord(o + x).max(chord(o + y)).max(chord(o + x + y))
+}
+
+/// Girard's theorem in floats with the inner angles of Urena et al.
+fn girard(p: [f32; 9]) -> f32 {
+    let [o, x, y] = sides(p);
+    let corners = [o, o + x, o + x + y, o + y];
+    let normals = [0, 1, 2, 3].map(|i| corners[i].cross(corners[(i + 1) % 4]).normalize());
+    let angles = [0, 1, 2, 3].map(|i| (-normals[i].dot(normals[(i + 1) % 4])).acos());
+    angles.iter().sum::<f32>() - std::f32::consts::TAU
+}
+
+#[test]
+fn extreme_rectangles() {
+    for t in truth("spherical-rectangle") {
+        let mut p = [0.0; 9];
+        for (to, from) in p.iter_mut().zip(&t.parameters) {
+            *to = *from as f32;
+        }
+        let got = spherical_rectangle_solid_angle(prepared(p));
+        let naive = relative(girard(p).into(), t.value);
+        let ours = relative(got.into(), t.value);
+        extreme(
+            t.row,
+            &format!("spherical-rectangle {p:?}, solid angle"),
+            naive,
+            ours,
+            1e-6,
+        );
+    }
+}
+
+#[test]
+fn samples_are_those_of_the_judge() {
+    for p in RECTANGLES {
+        let (rectangle, sides, size) = (prepared(p), sides(p).map(doubles), size(p));
+        let area = judge::rectangle_solid_angle(sides);
+        let mut worst = 0f64;
+        for u in random(3000).chain(grid().into_iter().step_by(37)) {
+            let got = spherical_rectangle(rectangle, u);
+            let error = excess(got, judge::spherical_rectangle(sides, u.to_array()), size);
+            worst = worst.max(error);
+            let pdf = spherical_rectangle_pdf(rectangle, got);
+            assert!(ulp_error(pdf, 1.0 / area) < 0.6, "{p:?} {u}: {pdf} {area}");
+        }
+        println!("{p:?}: {worst:.1e}");
+        assert!(worst < 4e-8, "{p:?}: {worst:e}");
+    }
+}
+
+#[test]
+fn the_pdf_integrates_to_one() {
+    for p in RECTANGLES {
+        let [o, x, y] = sides(p).map(Vec3::as_dvec3);
+        let corners = [o, o + x, o + x + y, o + y].map(|v| v.to_array());
+        let area = integrated([corners[0], corners[1], corners[2]], 40)
+            + integrated([corners[2], corners[3], corners[0]], 40);
+        let rectangle = prepared(p);
+        let middle = spherical_rectangle(rectangle, uvec2(1 << 31, 1 << 31));
+        let one = f64::from(spherical_rectangle_pdf(rectangle, middle)) * area;
+        assert!((one - 1.0).abs() < 1e-6, "{p:?}: {one}");
+    }
+}
+
+#[test]
+fn inverses_return_the_fractions() {
+    for (i, p) in RECTANGLES.into_iter().enumerate() {
+        let (rectangle, size) = (prepared(p), size(p));
+        let thin = judge::rectangle_solid_angle(sides(p).map(doubles)) / size;
+        let mut worst = [0f64; 2];
+        for u in random(3000) {
+            let v = spherical_rectangle_invert(rectangle, spherical_rectangle(rectangle, u));
+            // The rounding of a direction is this much of the rectangle, but around +z.
+            let scale = if [1, 2].contains(&i) {
+                1.0
+            } else {
+                thin.min(1.0)
+            };
+            worst[0] = worst[0].max((unit(u.x) - unit(v.x)).abs() * unit(u.y).sqrt() * scale);
+            worst[1] = worst[1].max((unit(u.y) - unit(v.y)).abs() * scale);
+        }
+        println!("{p:?}: {worst:?}");
+        assert!(worst[0] < 2e-6 && worst[1] < 2e-6, "{p:?}: {worst:?}");
+    }
+}
+
+#[test]
+fn degenerate_rectangles_give_what_the_header_says() {
+    let flat = [
+        [0.0; 9],
+        // The origin in the plane, outside: z0 = 0 of Urena et al.
+        [1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+        [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+    ];
+    for p in flat {
+        let rectangle = prepared(p);
+        let [corner, x, y] = sides(p);
+        let other = native::native_spherical_rectangle_prepare(corner, x, y);
+        for u in [uvec2(0, 0), uvec2(1 << 31, 77)] {
+            assert_eq!(spherical_rectangle(rectangle, u), Vec3::Z);
+            assert_eq!(spherical_rectangle_pdf(rectangle, Vec3::Z), 0.0);
+            assert_eq!(spherical_rectangle_invert(rectangle, Vec3::Z), uvec2(0, 0));
+            assert_eq!(native::native_spherical_rectangle(other, u), Vec3::Z);
+            assert_eq!(native::native_spherical_rectangle_pdf(other, Vec3::Z), 0.0);
+        }
+    }
+}
+
+#[test]
+fn the_native_profile_is_as_right() {
+    for p in RECTANGLES {
+        let [corner, x, y] = sides(p);
+        let exact = prepared(p);
+        let rectangle = native::native_spherical_rectangle_prepare(corner, x, y);
+        let (mut worst, mut worst_pdf) = (0f32, 0f32);
+        for u in random(2000) {
+            let got = native::native_spherical_rectangle(rectangle, u);
+            let truth = spherical_rectangle(exact, u);
+            worst = worst.max((got - truth).length());
+            let pdf = native::native_spherical_rectangle_pdf(rectangle, got);
+            worst_pdf = worst_pdf.max((pdf / spherical_rectangle_pdf(exact, truth) - 1.0).abs());
+        }
+        println!("{p:?}: {worst:e} {worst_pdf:e}");
+        assert!(
+            worst < 2e-5 && worst_pdf < 2e-4,
+            "{p:?}: {worst:e} {worst_pdf:e}"
+        );
+    }
+}
