@@ -15,26 +15,26 @@
 
 const uint FILTER_GAUSSIAN = 102u;
 
-MAP_STRUCT(FilterGaussian) gaussian() {
-    return MAP_FUNCTION(filter_gaussian_prepare)(uintBitsToFloat(push.p0), uintBitsToFloat(push.p1));
-}
+// One for all tasks: compilers inline each call before they know which is asked for.
+MAP_STRUCT(FilterGaussian) gaussian;
 
 uvec4 map_sample(uvec3 u) {
     if (MAP == FILTER_GAUSSIAN) {
-        MAP_STRUCT(FilterSample) made = MAP_FUNCTION(filter_gaussian)(gaussian(), u.xy);
+        MAP_STRUCT(FilterSample) made = MAP_FUNCTION(filter_gaussian)(gaussian, u.xy);
         return floatBitsToUint(vec4(made.p, made.pdf, 0.0));
     }
     return uvec4(0u);
 }
 
 uint map_pdf(uvec4 s) {
-    return floatBitsToUint(MAP_FUNCTION(filter_gaussian_pdf)(gaussian(), uintBitsToFloat(s.xy)));
+    return floatBitsToUint(MAP_FUNCTION(filter_gaussian_pdf)(gaussian, uintBitsToFloat(s.xy)));
 }
 
 uvec3 map_invert(uvec4 s) {
-    return uvec3(MAP_FUNCTION(filter_gaussian_invert)(gaussian(), uintBitsToFloat(s.xy)), 0u);
+    return uvec3(MAP_FUNCTION(filter_gaussian_invert)(gaussian, uintBitsToFloat(s.xy)), 0u);
 }
 
 // Four copies of so long a body take drivers seconds.
+#define MAP_PREPARE gaussian = MAP_FUNCTION(filter_gaussian_prepare)(uintBitsToFloat(push.p0), uintBitsToFloat(push.p1));
 #define MAP_LOOP [[dont_unroll]]
 #include "map_main.glsl"

@@ -11,6 +11,11 @@
 #define MAP_LOOP
 #endif
 
+// A statement before it: what the three functions would each compute again.
+#ifndef MAP_PREPARE
+#define MAP_PREPARE
+#endif
+
 const uint SAMPLE = 0u;
 const uint PDF = 1u;
 const uint INVERT = 2u;
@@ -49,6 +54,7 @@ void main() {
     if (i >= push.invocations) {
         return;
     }
+    MAP_PREPARE
     uvec4 made[4];
     MAP_LOOP for (uint k = 0u; k < 4u; k++) {
         made[k] = map_result(4u * i + k);

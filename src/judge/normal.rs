@@ -1,5 +1,7 @@
 //! The normal distribution in `f64`.
 
+#![expect(clippy::excessive_precision, reason = "coefficients as published")]
+
 use std::f64::consts::PI;
 
 // Wichura 1988, AS 241, PPND16: numerators and denominators of the centre, the near tail and

@@ -95,7 +95,7 @@ pub fn native_normal_pair_invert(sigma: f32, p: Vec2) -> UVec2 {
 pub fn native_box_muller(sigma: f32, u: UVec2) -> NativeGaussianPair {
     let s = native_positive(sigma);
     let radius = s * (2.0 * native_negative_log(u.x)).sqrt();
-    let phi = 6.283_185_3 * native_unit(u.y);
+    let phi = std::f32::consts::TAU * native_unit(u.y);
     let pdf = 0.159_154_94 * native_complement(u.x) / s / s;
     NativeGaussianPair {
         p: vec2(radius * phi.cos(), radius * phi.sin()),
