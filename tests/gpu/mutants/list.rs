@@ -6,6 +6,7 @@ mod foundation;
 mod scattering;
 mod sequences;
 mod sets;
+mod solid;
 
 use super::harness::Edit;
 use super::harness::Target;
@@ -68,6 +69,7 @@ pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
         scattering::MUTANTS,
         sequences::MUTANTS,
         sets::MUTANTS,
+        solid::MUTANTS,
     ]
     .into_iter()
     .flatten()
