@@ -194,7 +194,7 @@ fn samples_are_those_of_the_judge() {
             let bound = 1.0 + 2.0 * f64::from(p[6]) / distance;
             let error = ulps(got.direction, truth, 0.25);
             assert!(
-                error < 2.0,
+                error < bound,
                 "{p:?} {u}: {} {truth:?}: {error}",
                 got.direction
             );
