@@ -9,8 +9,8 @@
 //         point, before the direction is rounded; the one of a direction is of the point that
 //         the rounded direction meets. The edge is widened by 2^-20 of the radius and of the
 //         rounding.
-// errors: 1.2 ULP, as the point of the unit disk is rounded as well, or 2^-24 of the largest
-//         coordinate of centre and disk over |p|; pdf of a sample 0.8 ULP.
+// errors: 1 + 2 r/|p| ULP a coordinate, those below 1/4 in ULP of it, as the point of the unit
+//         disk is rounded as well; pdf of a sample as much.
 //         The inverse agrees with the sample to 2^-20, more where the rounding of a direction
 //         is more of the disk's angle.
 // cost:   prepare 1,500, sample 1,300 integer instructions. tier I.

@@ -6,7 +6,7 @@
 // range:  the polygon.
 // pdf:    with respect to area: 1 / (n sin(pi/n) cos(pi/n)) inside. The edge is widened by
 //         2^-21, so that no sample falls outside by its rounding.
-// errors: 0.7 ULP of a float of at least 1/16; pdf 0.6 ULP. The inverse agrees with the sample
+// errors: 0.9 ULP of a float of at least 1/16; pdf 0.6 ULP. The inverse agrees with the sample
 //         to 2^-21 in u.y and, seen from the centre, to 2^-21 in u.x. At the centre the angle
 //         is lost.
 // cost:   700 integer instructions. tier I.

@@ -89,15 +89,16 @@ pub fn cone_inside(h: Real, direction: Real3) -> bool {
 pub fn cone_around_invert(h: Real, direction: Real3) -> UVec2 {
     let z = direction.z;
     let square = real_add(real_square(direction.x), real_square(direction.y));
-    let mut versine = sphere_versine(square, z);
+    let turn = sphere_turn(direction.x, direction.y);
     if z.negative {
+        // 1 - u, by the distance to -z.
         let rest = sphere_versine(square, real_negate(z));
-        versine = real_subtract(real_uint(2, 0), rest);
+        let left = real_subtract(rest, real_subtract(real_uint(2, 0), h));
+        let fraction = sphere_fraction(real_divide(left, h)).max(1);
+        return uvec2(0u32.wrapping_sub(fraction), turn);
     }
-    uvec2(
-        sphere_fraction(real_divide(versine, h)),
-        sphere_turn(direction.x, direction.y),
-    )
+    let versine = sphere_versine(square, z);
+    uvec2(sphere_fraction(real_divide(versine, h)), turn)
 }
 
 /// Uniform direction of the cone.

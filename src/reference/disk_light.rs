@@ -5,9 +5,9 @@
 //! two fractions of 2^32; seen from either side; the origin in the plane of the disk, r <= 0
 //! or a normal of 0: pdf 0. Range: unit vectors to 2^-23; +z for a point at the origin. Pdf:
 //! with respect to solid angle, |p|^3 / (pi r^2 |n . p|); that of a sample is of its point,
-//! before the direction is rounded. Errors: 1.2 ULP, or 2^-24 of the largest coordinate of
-//! centre and disk over |p|; pdf of a sample 0.8 ULP; the inverse agrees with the sample to
-//! 2^-20, more where the rounding of a direction is more of the disk's angle. Tier I.
+//! before the direction is rounded. Errors: 1 + 2 r/|p| ULP a coordinate, those below 1/4 in
+//! ULP of it, and pdf of a sample as much; the inverse agrees with the sample to 2^-20, more
+//! where the rounding of a direction is more of the disk's angle. Tier I.
 //! Mirror: `shaders/corput/disk_light.glsl`.
 
 use crate::reference::disk::{concentric_disk, concentric_disk_invert};

@@ -17,6 +17,9 @@
 float corput_native_regular_polygon_sine(float sides) {
     float angle = 3.1415927 / sides;
     float square = angle * angle;
+    if (sides < 13.0) {
+        return sin(angle);
+    }
     return angle * (1.0 - square * (0.16666667 - square * (0.0083333333 - square * 0.00019841270)));
 }
 

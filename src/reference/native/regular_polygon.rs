@@ -14,6 +14,9 @@ use glam::{UVec2, Vec2, Vec3, uvec2, vec2, vec3};
 pub fn native_regular_polygon_sine(sides: f32) -> f32 {
     let angle = std::f32::consts::PI / sides;
     let square = angle * angle;
+    if sides < 13.0 {
+        return angle.sin();
+    }
     angle * (1.0 - square * (0.16666667 - square * (0.0083333333 - square * 0.00019841270)))
 }
 

@@ -7,6 +7,7 @@ mod line;
 mod scattering;
 mod sequences;
 mod sets;
+mod solid;
 
 use super::harness::Edit;
 use super::harness::Target;
@@ -70,6 +71,7 @@ pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
         line::MUTANTS,
         sequences::MUTANTS,
         sets::MUTANTS,
+        solid::MUTANTS,
     ]
     .into_iter()
     .flatten()
