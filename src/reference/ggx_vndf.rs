@@ -10,8 +10,8 @@
 //! of +z or -z has T1 = +x. Range: unit vectors to 2^-23; reflected directions may lie
 //! below the horizon. Pdf: with respect to solid angle: of normals 2 (wo.h) D / (wo.z +
 //! |S wo|), of directions a fourth of that over wo.h. Errors: a coordinate half a ULP and
-//! 2^-26, the pdf 0.9 ULP, also at the edges. The inverse agrees with the sample to 2^-20
-//! + 2^-21 / (alpha |wo + wi|), and leads back to the same direction; where rounding took
+//! 2^-26, the pdf 0.9 ULP, also at the edges. The inverse agrees with the sample to 2^-20 +
+//! 2^-21 / (alpha |wo + wi|), and leads back to the same direction; where rounding took
 //! the normal below the horizon, to the edge. Tier I.
 //! Mirror: `shaders/corput/ggx_vndf.glsl`.
 

@@ -2,9 +2,9 @@
 //! with pdf and inverse: spherical caps, bounded.
 //!
 //! Source: Eto and Tokuyoshi 2023, Bounded VNDF sampling for Smith-GGX reflections,
-//! SIGGRAPH Asia Technical Communications, eq. 5 and 6: the cap is z > -k V.z with k = (1
-//! - a^2) s^2 / (s^2 + a^2 wo.z^2), a = min(alpha, 1), s = 1 + |wo.xy|. V.z - b is V.z (1
-//! - k), and 1 - k = 2 a^2 s / (s^2 + a^2 wo.z^2) since wo is unit. Domain: as
+//! SIGGRAPH Asia Technical Communications, eq. 5 and 6: the cap is z > -k V.z with k = (1 -
+//! a^2) s^2 / (s^2 + a^2 wo.z^2), a = min(alpha, 1), s = 1 + |wo.xy|. V.z - b is V.z (1 -
+//! k), and 1 - k = 2 a^2 s / (s^2 + a^2 wo.z^2) since wo is unit. Domain: as
 //! ggx_vndf_cap.glsl. A wo on or below the horizon has all visible normals. Range: unit
 //! vectors to 2^-23. Some still lie below the horizon, none more than without the bound;
 //! for alpha_x = alpha_y seen from +z, none. Pdf: with respect to solid angle: D / (2 (k

@@ -2,8 +2,8 @@
 //! inverse. +z is the direction of propagation: g > 0 scatters forward, to +z.
 //!
 //! Source: Henyey and Greenstein 1941, Diffuse radiation in the galaxy, ApJ 93. With q =
-//! 1 - g, D = q + 2 g u: 1 - z = 2 q^2 (1 - u) (1 + g u) / D^2, 1 + z = 2 (1 + g)^2 u (q
-//! + g u) / D^2, pdf = D^3 / (4 pi (1 - g^2)^2): sums of positive terms, where the common
+//! 1 - g, D = q + 2 g u: 1 - z = 2 q^2 (1 - u) (1 + g u) / D^2, 1 + z = 2 (1 + g)^2 u (q +
+//! g u) / D^2, pdf = D^3 / (4 pi (1 - g^2)^2): sums of positive terms, where the common
 //! form of z cancels as g^2 nears 1, or 0. Domain: two fractions of 2^32; z grows with
 //! u.x. g in (-1, 1): what is beyond, and NaN, counts as 1 - 2^-24 of its sign. Nearer to
 //! 1 or -1, give 1 - |g|: from 2^-63 to 1, what is beyond counts as the end. Range: unit

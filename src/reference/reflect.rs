@@ -2,8 +2,8 @@
 //! a normal into that of a direction.
 //!
 //! Source: Walter et al. 2007, Microfacet models for refraction through rough surfaces,
-//! eq. 13 to 17, 39, 40. With c = |w.h|, c' = |t.h|: c / eta - c' = (1 - eta^2) / (eta (c
-//! + eta c')), and the Jacobian eta^2 c' / (c - eta c')^2 = c' (eta (c + eta c') / (1 -
+//! eq. 13 to 17, 39, 40. With c = |w.h|, c' = |t.h|: c / eta - c' = (1 - eta^2) / (eta (c +
+//! eta c')), and the Jacobian eta^2 c' / (c - eta c')^2 = c' (eta (c + eta c') / (1 -
 //! eta^2))^2, neither of which cancels as eta nears 1; 1 - c^2 is |w x h|^2, which does
 //! not cancel at normal incidence. Domain: w points away from the surface, h to either
 //! side; both are normalised. eta is the index of refraction beyond the surface over that

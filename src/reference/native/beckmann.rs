@@ -38,7 +38,7 @@ pub fn native_beckmann_slopes(alpha: Vec2, u: UVec2) -> Vec3 {
 #[must_use]
 pub fn native_beckmann_density(alpha: Vec2, slopes: Vec3, rest: f32) -> f32 {
     let square = slopes.dot(slopes);
-    0.31830989 * rest / native_ggx_alpha(alpha.x) / native_ggx_alpha(alpha.y)
+    std::f32::consts::FRAC_1_PI * rest / native_ggx_alpha(alpha.x) / native_ggx_alpha(alpha.y)
         * square
         * square.sqrt()
 }

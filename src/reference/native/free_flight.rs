@@ -3,8 +3,8 @@
 //!
 //! Source: PBRT 4th ed., A.4.2; the logarithm's series where u is small. Domain: sigma
 //! from 1e-30 to 1e30, below it counts as that; a fraction u of 2^32. Pdf: with respect
-//! to length: sigma e^(-sigma t), 0 for t < 0. Errors: Vulkan allows log 3 ULP and exp 3
-//! + 2 |x| ULP.
+//! to length: sigma e^(-sigma t), 0 for t < 0. Errors: Vulkan allows log 3 ULP and exp 3 +
+//! 2 |x| ULP.
 //! Mirror: `shaders/corput/native/free_flight.glsl`.
 
 use crate::reference::native::disk::{native_fraction, native_unit};

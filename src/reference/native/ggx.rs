@@ -33,7 +33,7 @@ pub fn native_ggx_distribution(alpha: Vec2, h: Vec3) -> f32 {
     let y = native_ggx_alpha(alpha.y);
     let n = vec3(h.x / x, h.y / y, h.z);
     let ratio = h.dot(h) / n.dot(n);
-    0.31830989 * (ratio / x) * (ratio / y)
+    std::f32::consts::FRAC_1_PI * (ratio / x) * (ratio / y)
 }
 
 /// Smith's Lambda; the largest float for w.z <= 0.

@@ -91,7 +91,7 @@ pub fn native_ggx_reflected(g: NativeGgx, n: Vec3, n_square: f32, cosine: f32) -
     let s_square = s.dot(s);
     let scale = 2.0 * native_ggx_quotient(g.stretch * cosine, s_square);
     let ratio = native_ggx_quotient(s_square, n_square);
-    let density = 0.31830989 * (ratio / g.alpha.x) * (ratio / g.alpha.y);
+    let density = std::f32::consts::FRAC_1_PI * (ratio / g.alpha.x) * (ratio / g.alpha.y);
     NativeScattered {
         direction: s * scale - g.wo,
         pdf: native_ggx_quotient(density, 2.0 * native_ggx_area(g)),
@@ -105,7 +105,7 @@ pub fn native_ggx_normal(g: NativeGgx, n: Vec3, n_square: f32, cosine: f32) -> N
     let s_square = s.dot(s);
     let inverse = native_ggx_quotient(1.0, s_square.sqrt());
     let ratio = native_ggx_quotient(s_square, n_square);
-    let density = 0.31830989 * (ratio / g.alpha.x) * (ratio / g.alpha.y);
+    let density = std::f32::consts::FRAC_1_PI * (ratio / g.alpha.x) * (ratio / g.alpha.y);
     let wo_h = g.stretch * cosine * inverse;
     NativeScattered {
         direction: s * inverse,

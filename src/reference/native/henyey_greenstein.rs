@@ -38,7 +38,7 @@ pub fn native_henyey_greenstein_prepare(g: f32) -> NativeHenyeyGreenstein {
 /// By rest = 1 - |g|, which says more than g where g is near 1 or -1.
 #[must_use]
 pub fn native_henyey_greenstein_complement(rest: f32, backward: bool) -> NativeHenyeyGreenstein {
-    let clamped = (rest.max(8.673617379884035e-19)).min(1.0);
+    let clamped = rest.clamp(8.673617379884035e-19, 1.0);
     NativeHenyeyGreenstein {
         g: 1.0 - clamped,
         rest: clamped,

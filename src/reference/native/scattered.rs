@@ -25,7 +25,9 @@ pub fn native_cos_sin(phi: u32) -> Vec2 {
     let quarter = phi.wrapping_add(0x2000_0000) >> 30;
     let x = phi.wrapping_sub(quarter << 30) as i32 as f32 * 2.3283064365386963e-10;
     let w = x * x;
-    let s = x * (6.2831853 + w * (-41.341702 + w * (81.605249 + w * (-76.705860 + w * 42.058694))));
+    let s = x
+        * (std::f32::consts::TAU
+            + w * (-41.341702 + w * (81.605249 + w * (-76.705860 + w * 42.058694))));
     let c = 1.0 + w * (-19.739209 + w * (64.939394 + w * (-85.456817 + w * 60.244641)));
     if quarter == 1 {
         return vec2(-s, c);

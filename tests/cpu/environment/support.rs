@@ -38,7 +38,7 @@ pub fn maps() -> Vec<Map> {
             _ => 0.1 + random(column, row).min(2.0),
         }),
         map("zero rows and columns", 40, 20, &|column, row| {
-            if (5..12).contains(&row) || row == 19 || row == 0 || column < 3 || column > 36 {
+            if (5..12).contains(&row) || row == 19 || row == 0 || !(3..=36).contains(&column) {
                 0.0
             } else {
                 1.0 + column as f32

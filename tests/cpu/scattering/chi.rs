@@ -54,7 +54,7 @@ fn fractions(lobe: &Lobe, d: [f64; 3]) -> [f64; 2] {
 fn deviation(lobe: &Lobe, samples: u32, sample: impl Fn(&Lobe, UVec2) -> [f64; 3]) -> f64 {
     let mut counts = vec![0u32; SIDE * SIDE];
     for i in 0..samples {
-        let u = uvec2(mix(2 * i ^ 0x5bd1_e995), mix(2 * i + 1));
+        let u = uvec2(mix((2 * i) ^ 0x5bd1_e995), mix(2 * i + 1));
         let [x, y] =
             fractions(lobe, sample(lobe, u)).map(|v| ((v * SIDE as f64) as usize).min(SIDE - 1));
         counts[SIDE * y + x] += 1;
