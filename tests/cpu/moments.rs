@@ -1,7 +1,6 @@
 //! Mean, variance and correlations of every randomisation over 1,024 seeds, against what
 //! theory gives. The scrambles of nets have theirs in owen.rs.
 
-#[allow(dead_code, reason = "a part of it is used here")]
 mod significance;
 
 use corput::bulk::Reference;
