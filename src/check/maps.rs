@@ -97,8 +97,26 @@ pub fn examples(map: &'static Map) -> Result<Vec<Mapping>> {
         .collect()
 }
 
+/// Why a device is not asked for a map, if it is not.
+#[must_use]
+pub fn refusal(device: &Device, map: &Map) -> Option<&'static str> {
+    let slow = map.long && device.info().name.contains("SwiftShader");
+    slow.then_some("SwiftShader takes minutes, and gigabytes, to compile a kernel this long")
+}
+
+/// A row of a map that is not run.
+pub fn refused(map: &Map, name: &str, reason: &str) -> Row {
+    let mut row = Row::exact(name, map.group.kernel(Profile::Exact));
+    row.mismatches = None;
+    row.verdict = Verdict::Refused(reason.to_owned());
+    row
+}
+
 /// Both profiles of a map.
 pub fn check(device: &Arc<Device>, map: &'static Map) -> Result<Vec<Row>> {
+    if let Some(reason) = refusal(device, map) {
+        return Ok(vec![refused(map, map.name, reason)]);
+    }
     let mapping = examples(map)?;
     let mapper = |profile, task| match mapping.first() {
         Some(first) => Mapper::new(device, first, true, profile, task).map(Some),

@@ -135,6 +135,9 @@ pub struct Map {
     pub native: f64,
     /// Worst relative error of the pdf in the native profile.
     pub native_pdf: f64,
+    /// Whether its kernels are so long that SwiftShader's optimiser takes minutes, and
+    /// gigabytes, to compile them: checks refuse it there, and say so.
+    pub long: bool,
     /// Where its bits are promised.
     pub tier: Tier,
     /// What it is, in a line.

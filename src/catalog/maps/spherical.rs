@@ -29,6 +29,7 @@ const BASE: Map = Map {
     pdf_ulp: 0.51,
     native: NATIVE_SINE,
     native_pdf: 1e-5,
+    long: false,
     tier: Tier::Integer,
     summary: "",
     source: "",
@@ -86,6 +87,7 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions of a triangle seen from the origin",
         source: "Arvo 1995 and Peters 2021, in sums that do not cancel",
+        long: true,
         ..BASE
     },
     Map {
@@ -130,6 +132,7 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions of a rectangle seen from the origin",
         source: "two triangles that share a corner and the diagonal: Peters 2021",
+        long: true,
         ..BASE
     },
     Map {
