@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // Directions by the light of an environment map, of points in memory. The tables lie in two
 // buffers, since one holds 2^25 words on every device and a map of 8192 x 4096 has more.
 #include "interface.glsl"
@@ -61,4 +62,6 @@ uvec3 map_invert(uvec4 s) {
     return uvec3(0u);
 }
 
+// Unrolled, long bodies take compilers minutes.
+#define MAP_LOOP [[dont_unroll]]
 #include "map_main.glsl"

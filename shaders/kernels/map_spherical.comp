@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // Uniform directions of solid angles, of points in memory.
 #include "interface.glsl"
 #ifdef KERNEL_NATIVE
@@ -136,4 +137,6 @@ uvec3 map_invert(uvec4 s) {
     return uvec3(0u);
 }
 
+// Unrolled, long bodies take compilers minutes.
+#define MAP_LOOP [[dont_unroll]]
 #include "map_main.glsl"

@@ -100,8 +100,11 @@ pub fn examples(map: &'static Map) -> Result<Vec<Mapping>> {
 /// Why a device is not asked for a map, if it is not.
 #[must_use]
 pub fn refusal(device: &Device, map: &Map) -> Option<&'static str> {
-    let slow = map.long && device.info().name.contains("SwiftShader");
-    slow.then_some("SwiftShader takes minutes, and gigabytes, to compile a kernel this long")
+    let slow = map
+        .slow
+        .iter()
+        .any(|part| device.info().name.contains(part));
+    slow.then_some("its compiler takes half a minute or more for a kernel this long")
 }
 
 /// A row of a map that is not run.

@@ -1,6 +1,6 @@
 //! Free flight, normal distributions and pixel filters.
 
-use super::{Group, Map, NATIVE_SINE, Parameter, none};
+use super::{Group, Map, NATIVE_SINE, Parameter, SWIFTSHADER, none};
 use crate::catalog::Tier;
 use crate::interface::{MAP_PARAMETERS, map};
 
@@ -21,7 +21,7 @@ const BASE: Map = Map {
     pdf_ulp: 0.6,
     native: NATIVE_LOG,
     native_pdf: NATIVE_EXP,
-    long: false,
+    slow: &[],
     tier: Tier::Integer,
     summary: "",
     source: "",
@@ -167,7 +167,7 @@ pub(super) const MAPS: &[Map] = &[
         pdf_ulp: 2.5,
         summary: "offsets by a Gaussian that ends at the radius",
         source: "PBRT 4th ed., 8.8.2, not lowered to 0 at its edge",
-        long: true,
+        slow: SWIFTSHADER,
         ..BASE
     },
 ];

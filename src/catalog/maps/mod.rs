@@ -135,9 +135,9 @@ pub struct Map {
     pub native: f64,
     /// Worst relative error of the pdf in the native profile.
     pub native_pdf: f64,
-    /// Whether its kernels are so long that SwiftShader's optimiser takes minutes, and
-    /// gigabytes, to compile them: checks refuse it there, and say so.
-    pub long: bool,
+    /// Parts of the names of devices whose compilers take half a minute or more, and
+    /// gigabytes, for its kernels: checks refuse it there, and say so.
+    pub slow: &'static [&'static str],
     /// Where its bits are promised.
     pub tier: Tier,
     /// What it is, in a line.
@@ -182,6 +182,11 @@ const GROUPS: &[&[Map]] = &[
 pub fn maps() -> impl Iterator<Item = &'static Map> {
     GROUPS.iter().flat_map(|group| group.iter())
 }
+
+/// For [`Map::slow`]: the driver whose optimiser is the slowest.
+const SWIFTSHADER: &[&str] = &["SwiftShader"];
+/// For [`Map::slow`]: both drivers that are tested.
+const CPU_DEVICES: &[&str] = &["SwiftShader", "llvmpipe"];
 
 /// Takes no parameters.
 fn none(_: &[f64]) -> core::result::Result<[f32; MAP_PARAMETERS], usize> {
