@@ -13,19 +13,12 @@
 #ifndef CORPUT_SPHERE_GLSL
 #define CORPUT_SPHERE_GLSL
 
+#include "corput/real_angle.glsl"
 #include "corput/real_vector.glsl"
 
 // The fraction of 2^32 nearest to a, from 0 to 2^32 - 1.
 uint corput_sphere_fraction(CorputReal a) {
     return corput_real_fraction(corput_real_add(a, corput_real_uint(1u, -33)));
-}
-
-// 1 - u, for a fraction u.
-CorputReal corput_sphere_complement(uint u) {
-    if (u == 0u) {
-        return corput_real_uint(1u, 0);
-    }
-    return corput_real_uint(0u - u, -32);
 }
 
 // 1 - z of a unit vector, given its x^2 + y^2: z alone has no digits of it near +z.

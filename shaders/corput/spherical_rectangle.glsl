@@ -56,7 +56,7 @@ vec3 corput_spherical_rectangle(CorputSphericalRectangle r, uvec2 u) {
         return corput_spherical_triangle_at(r.first, before, behind, u.y);
     }
     // From the other end: the first half may be larger by far.
-    CorputReal behind = corput_real_min(corput_real_multiply(r.area, corput_sphere_complement(u.x)), r.second.area);
+    CorputReal behind = corput_real_min(corput_real_multiply(r.area, corput_real_complement(u.x)), r.second.area);
     return corput_spherical_triangle_at(r.second, corput_real_subtract(r.second.area, behind), behind, u.y);
 }
 

@@ -160,7 +160,7 @@ CorputMovingVertex corput_moving_vertex(CorputSphericalTriangle t, CorputReal be
 vec3 corput_spherical_triangle_sum(CorputSphericalTriangle t, CorputMovingVertex v, uint u) {
     CorputReal cosine = v.b_cosine;
     CorputReal part = corput_real_uint(u, -32);
-    CorputReal rest = corput_sphere_complement(u);
+    CorputReal rest = corput_real_complement(u);
     CorputReal part_root = corput_real_sqrt(part);
     CorputReal cosine_square = corput_real_square(cosine);
     CorputReal sine_square = corput_real_subtract(corput_real_uint(1u, 0), cosine_square);
@@ -187,7 +187,7 @@ vec3 corput_spherical_triangle_polar(CorputSphericalTriangle t, CorputMovingVert
     CorputReal x = corput_real_subtract(corput_real_multiply(v.a_cosine, corput_angle_cosine(before)),
         corput_real_multiply(t.ab.cosine, v.b_cosine));
     CorputReal length = corput_real_sqrt(corput_real_add(corput_real_square(x), corput_real_square(y)));
-    CorputReal near = corput_real_sqrt(corput_real_add(corput_sphere_complement(u),
+    CorputReal near = corput_real_sqrt(corput_real_add(corput_real_complement(u),
         corput_real_multiply(part, cosine_square)));
     CorputReal sine = corput_real_multiply(near, corput_real_sqrt(corput_real_multiply(part, sine_square)));
     CorputReal radius = corput_real_divide(corput_real_shift(sine, 1), length);
@@ -215,7 +215,7 @@ vec3 corput_spherical_triangle(CorputSphericalTriangle t, uvec2 u) {
         return vec3(0.0, 0.0, 1.0);
     }
     CorputReal before = corput_real_multiply(t.area, corput_real_uint(u.x, -32));
-    CorputReal behind = corput_real_multiply(t.area, corput_sphere_complement(u.x));
+    CorputReal behind = corput_real_multiply(t.area, corput_real_complement(u.x));
     return corput_spherical_triangle_at(t, before, behind, u.y);
 }
 

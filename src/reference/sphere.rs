@@ -23,16 +23,6 @@ pub fn sphere_fraction(a: Real) -> u32 {
     real_fraction(real_add(a, real_uint(1, -33)))
 }
 
-/// 1 - u, for a fraction u.
-#[inline]
-#[must_use]
-pub fn sphere_complement(u: u32) -> Real {
-    if u == 0 {
-        return real_uint(1, 0);
-    }
-    real_uint(0u32.wrapping_sub(u), -32)
-}
-
 /// 1 - z of a unit vector, given its x^2 + y^2: z alone has no digits of it near +z.
 #[inline]
 #[must_use]

@@ -13,8 +13,9 @@ use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_less, real_min, real_multiply, real_negate,
     real_subtract, real_uint,
 };
+use crate::reference::real_angle::real_complement;
 use crate::reference::real_vector::{real3, real3_add, real3_dot};
-use crate::reference::sphere::{sphere_complement, sphere_fraction};
+use crate::reference::sphere::sphere_fraction;
 use crate::reference::spherical_triangle::{
     SphericalTriangle, spherical_triangle_at, spherical_triangle_inside, spherical_triangle_of,
     spherical_triangle_parts,
@@ -83,7 +84,7 @@ pub fn spherical_rectangle(r: SphericalRectangle, u: UVec2) -> Vec3 {
         return spherical_triangle_at(r.first, before, behind, u.y);
     }
     // From the other end: the first half may be larger by far.
-    let behind = real_min(real_multiply(r.area, sphere_complement(u.x)), r.second.area);
+    let behind = real_min(real_multiply(r.area, real_complement(u.x)), r.second.area);
     spherical_triangle_at(r.second, real_subtract(r.second.area, behind), behind, u.y)
 }
 

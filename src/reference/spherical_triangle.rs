@@ -18,11 +18,12 @@ use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_less, real_max, real_min, real_multiply,
     real_negate, real_shift, real_sqrt, real_square, real_subtract, real_uint, real_zero,
 };
+use crate::reference::real_angle::real_complement;
 use crate::reference::real_vector::{
     Real3, real3, real3_add, real3_dot, real3_floats, real3_length, real3_normalize, real3_scale,
     real3_subtract,
 };
-use crate::reference::sphere::{sphere_complement, sphere_fraction, sphere_versine};
+use crate::reference::sphere::{sphere_fraction, sphere_versine};
 use crate::reference::wide::{wide_cross, wide_triple};
 use glam::{UVec2, Vec3, uvec2, vec3};
 
@@ -206,7 +207,7 @@ pub fn moving_vertex(t: SphericalTriangle, before: Real, behind: Real) -> Moving
 pub fn spherical_triangle_sum(t: SphericalTriangle, v: MovingVertex, u: u32) -> Vec3 {
     let cosine = v.b_cosine;
     let part = real_uint(u, -32);
-    let rest = sphere_complement(u);
+    let rest = real_complement(u);
     let part_root = real_sqrt(part);
     let cosine_square = real_square(cosine);
     let sine_square = real_subtract(real_uint(1, 0), cosine_square);
@@ -258,7 +259,7 @@ pub fn spherical_triangle_polar(
     );
     let length = real_sqrt(real_add(real_square(x), real_square(y)));
     let near = real_sqrt(real_add(
-        sphere_complement(u),
+        real_complement(u),
         real_multiply(part, cosine_square),
     ));
     let sine = real_multiply(near, real_sqrt(real_multiply(part, sine_square)));
@@ -296,7 +297,7 @@ pub fn spherical_triangle(t: SphericalTriangle, u: UVec2) -> Vec3 {
         return vec3(0.0, 0.0, 1.0);
     }
     let before = real_multiply(t.area, real_uint(u.x, -32));
-    let behind = real_multiply(t.area, sphere_complement(u.x));
+    let behind = real_multiply(t.area, real_complement(u.x));
     spherical_triangle_at(t, before, behind, u.y)
 }
 

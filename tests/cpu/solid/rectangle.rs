@@ -1,8 +1,8 @@
 //! Spherical rectangles.
 
 use super::extreme::extreme;
-use super::tools::{doubles, excess, grid, integrated, random, relative, truth, unit};
-use corput::glam::{Vec3, uvec2, vec3};
+use super::tools::{doubles, excess, grid, integrated, random, relative, truth, unit, vectors};
+use corput::glam::{Vec3, uvec2};
 use corput::judge::{spherical_triangle as judge, ulp_error};
 use corput::reference::native::spherical_rectangle as native;
 use corput::reference::spherical_rectangle::*;
@@ -19,29 +19,21 @@ const RECTANGLES: [[f32; 9]; 8] = [
     [-1.0, -2.0, -3.0, 0.0, 3.0, 0.0, 7.0, 0.0, 0.0],
 ];
 
-fn sides(p: [f32; 9]) -> [Vec3; 3] {
-    [
-        vec3(p[0], p[1], p[2]),
-        vec3(p[3], p[4], p[5]),
-        vec3(p[6], p[7], p[8]),
-    ]
-}
-
 fn prepared(p: [f32; 9]) -> SphericalRectangle {
-    let [corner, x, y] = sides(p);
+    let [corner, x, y] = vectors(p);
     spherical_rectangle_prepare(corner, x, y)
 }
 
 /// The longest side of the rectangle on the unit sphere.
 fn size(p: [f32; 9]) -> f64 {
-    let [o, x, y] = sides(p).map(Vec3::as_dvec3);
+    let [o, x, y] = vectors(p).map(Vec3::as_dvec3);
     let chord = |v: corput::glam::DVec3| (v.normalize() - o.normalize()).length();
     chord(o + x).max(chord(o + y)).max(chord(o + x + y))
 }
 
 /// Girard's theorem in floats with the inner angles of Urena et al.
 fn girard(p: [f32; 9]) -> f32 {
-    let [o, x, y] = sides(p);
+    let [o, x, y] = vectors(p);
     let corners = [o, o + x, o + x + y, o + y];
     let normals = [0, 1, 2, 3].map(|i| corners[i].cross(corners[(i + 1) % 4]).normalize());
     let angles = [0, 1, 2, 3].map(|i| (-normals[i].dot(normals[(i + 1) % 4])).acos());
@@ -71,7 +63,7 @@ fn extreme_rectangles() {
 #[test]
 fn samples_are_those_of_the_judge() {
     for p in RECTANGLES {
-        let (rectangle, sides, size) = (prepared(p), sides(p).map(doubles), size(p));
+        let (rectangle, sides, size) = (prepared(p), vectors(p).map(doubles), size(p));
         let area = judge::rectangle_solid_angle(sides);
         let mut worst = 0f64;
         for u in random(3000).chain(grid().into_iter().step_by(37)) {
@@ -89,7 +81,7 @@ fn samples_are_those_of_the_judge() {
 #[test]
 fn the_pdf_integrates_to_one() {
     for p in RECTANGLES {
-        let [o, x, y] = sides(p).map(Vec3::as_dvec3);
+        let [o, x, y] = vectors(p).map(Vec3::as_dvec3);
         let corners = [o, o + x, o + x + y, o + y].map(|v| v.to_array());
         let area = integrated([corners[0], corners[1], corners[2]], 40)
             + integrated([corners[2], corners[3], corners[0]], 40);
@@ -104,7 +96,7 @@ fn the_pdf_integrates_to_one() {
 fn inverses_return_the_fractions() {
     for (i, p) in RECTANGLES.into_iter().enumerate() {
         let (rectangle, size) = (prepared(p), size(p));
-        let thin = judge::rectangle_solid_angle(sides(p).map(doubles)) / size;
+        let thin = judge::rectangle_solid_angle(vectors(p).map(doubles)) / size;
         let mut worst = [0f64; 2];
         for u in random(3000) {
             let v = spherical_rectangle_invert(rectangle, spherical_rectangle(rectangle, u));
@@ -132,7 +124,7 @@ fn degenerate_rectangles_give_what_the_header_says() {
     ];
     for p in flat {
         let rectangle = prepared(p);
-        let [corner, x, y] = sides(p);
+        let [corner, x, y] = vectors(p);
         let other = native::native_spherical_rectangle_prepare(corner, x, y);
         for u in [uvec2(0, 0), uvec2(1 << 31, 77)] {
             assert_eq!(spherical_rectangle(rectangle, u), Vec3::Z);
@@ -147,7 +139,7 @@ fn degenerate_rectangles_give_what_the_header_says() {
 #[test]
 fn the_native_profile_is_as_right() {
     for p in RECTANGLES {
-        let [corner, x, y] = sides(p);
+        let [corner, x, y] = vectors(p);
         let exact = prepared(p);
         let rectangle = native::native_spherical_rectangle_prepare(corner, x, y);
         let (mut worst, mut worst_pdf) = (0f32, 0f32);

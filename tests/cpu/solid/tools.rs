@@ -1,6 +1,6 @@
 //! What the tests of the distributions share.
 
-use corput::glam::{UVec2, Vec3, uvec2};
+use corput::glam::{UVec2, Vec3, uvec2, vec3};
 use corput::judge::ulp_error;
 use corput::reference::permute::permute_mix as mix;
 
@@ -122,4 +122,13 @@ pub fn integrated(corners: [[f64; 3]; 3], depth: u32) -> f64 {
         .into_iter()
         .map(|part| integrated(part, depth - 1))
         .sum()
+}
+
+/// Three vectors, from their coordinates.
+pub fn vectors(p: [f32; 9]) -> [Vec3; 3] {
+    [
+        vec3(p[0], p[1], p[2]),
+        vec3(p[3], p[4], p[5]),
+        vec3(p[6], p[7], p[8]),
+    ]
 }

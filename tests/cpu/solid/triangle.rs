@@ -2,7 +2,7 @@
 
 use super::extreme::extreme;
 use super::significance::{critical, deviate};
-use super::tools::{doubles, excess, grid, integrated, random, relative, truth, unit};
+use super::tools::{doubles, excess, grid, integrated, random, relative, truth, unit, vectors};
 use corput::glam::{UVec2, Vec3, uvec2, vec3};
 use corput::judge::spherical_triangle as judge;
 use corput::judge::ulp_error;
@@ -37,32 +37,24 @@ const TRIANGLES: [[f32; 9]; 14] = [
     [1.0, 0.0, 1e-5, -1.0, 0.1, 1e-5, -1.0, -0.1, 1e-5],
 ];
 
-fn corners(p: [f32; 9]) -> [Vec3; 3] {
-    [
-        vec3(p[0], p[1], p[2]),
-        vec3(p[3], p[4], p[5]),
-        vec3(p[6], p[7], p[8]),
-    ]
-}
-
 fn prepared(p: [f32; 9]) -> SphericalTriangle {
-    let [a, b, c] = corners(p);
+    let [a, b, c] = vectors(p);
     spherical_triangle_prepare(a, b, c)
 }
 
 fn vertices(p: [f32; 9]) -> [[f64; 3]; 3] {
-    corners(p).map(doubles)
+    vectors(p).map(doubles)
 }
 
 /// The chord of the longest side.
 fn size(p: [f32; 9]) -> f64 {
-    let [a, b, c] = corners(p).map(|v| v.as_dvec3().normalize());
+    let [a, b, c] = vectors(p).map(|v| v.as_dvec3().normalize());
     (a - b).length().max((b - c).length()).max((c - a).length())
 }
 
 /// Girard's theorem in floats, the common formula.
 fn girard(p: [f32; 9]) -> f32 {
-    let [a, b, c] = corners(p).map(Vec3::normalize);
+    let [a, b, c] = vectors(p).map(Vec3::normalize);
     let normals = [a.cross(b), b.cross(c), c.cross(a)].map(Vec3::normalize);
     let angle = |i: usize, j: usize| (-normals[i].dot(normals[j])).clamp(-1.0, 1.0).acos();
     angle(0, 1) + angle(1, 2) + angle(2, 0) - std::f32::consts::PI
@@ -70,7 +62,7 @@ fn girard(p: [f32; 9]) -> f32 {
 
 /// The triple product of unit vectors in floats, the other common one.
 fn triple(p: [f32; 9]) -> f32 {
-    let [a, b, c] = corners(p).map(Vec3::normalize);
+    let [a, b, c] = vectors(p).map(Vec3::normalize);
     let sum = 1.0 + a.dot(b) + b.dot(c) + c.dot(a);
     2.0 * a.dot(b.cross(c)).abs().atan2(sum)
 }
@@ -215,7 +207,7 @@ fn samples_have_the_density() {
     }
     // Uniform on the plane triangle, without the Jacobian.
     let z = deviation(TRIANGLES[7], |u| {
-        let [a, b, c] = corners(TRIANGLES[7]);
+        let [a, b, c] = vectors(TRIANGLES[7]);
         let (root, y) = (unit(u.x).sqrt() as f32, unit(u.y) as f32);
         (a * (1.0 - root) + b * (root * (1.0 - y)) + c * (root * y)).normalize()
     });
@@ -239,7 +231,7 @@ fn degenerate_triangles_give_what_the_header_says() {
             assert_eq!(spherical_triangle_pdf(triangle, Vec3::Z), 0.0);
             assert_eq!(spherical_triangle_invert(triangle, Vec3::Z), uvec2(0, 0));
         }
-        let [a, b, c] = corners(p);
+        let [a, b, c] = vectors(p);
         let triangle = native::native_spherical_triangle_prepare(a, b, c);
         assert_eq!(
             native::native_spherical_triangle(triangle, uvec2(9, 9)),
@@ -283,7 +275,7 @@ fn degenerate_triangles_give_what_the_header_says() {
 #[test]
 fn the_native_profile_is_as_right() {
     for p in TRIANGLES {
-        let [a, b, c] = corners(p);
+        let [a, b, c] = vectors(p);
         let (exact, triangle) = (
             prepared(p),
             native::native_spherical_triangle_prepare(a, b, c),
