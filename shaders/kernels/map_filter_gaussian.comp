@@ -9,6 +9,7 @@
 #define MAP_STRUCT(name) CorputNative##name
 #else
 #include "corput/filter.glsl"
+#include "prepared.glsl"
 #define MAP_FUNCTION(name) corput_##name
 #define MAP_STRUCT(name) Corput##name
 #endif
@@ -34,7 +35,24 @@ uvec3 map_invert(uvec4 s) {
     return uvec3(MAP_FUNCTION(filter_gaussian_invert)(gaussian, uintBitsToFloat(s.xy)), 0u);
 }
 
+MAP_STRUCT(FilterGaussian) prepare_gaussian() {
+    return MAP_FUNCTION(filter_gaussian_prepare)(uintBitsToFloat(push.p0), uintBitsToFloat(push.p1));
+}
+
+#ifdef KERNEL_NATIVE
+#define MAP_PREPARE gaussian = prepare_gaussian();
+#else
+void map_prepare() {
+    CorputFilterGaussian f = prepare_gaussian();
+    store_real(0u, f.radius);
+    store_real(1u, f.sigma);
+    store_real(2u, f.mass);
+    store_real(3u, f.tail);
+}
+#define MAP_PREPARE gaussian = CorputFilterGaussian(prepared_real(0u), prepared_real(1u), prepared_real(2u), prepared_real(3u));
+#define MAP_PREPARED map_prepare();
+#endif
+
 // Four copies of so long a body take drivers seconds.
-#define MAP_PREPARE gaussian = MAP_FUNCTION(filter_gaussian_prepare)(uintBitsToFloat(push.p0), uintBitsToFloat(push.p1));
 #define MAP_LOOP [[dont_unroll]]
 #include "map_main.glsl"

@@ -16,9 +16,15 @@
 #define MAP_PREPARE
 #endif
 
+// A statement of a single invocation: into the results what the host else prepares.
+#ifndef MAP_PREPARED
+#define MAP_PREPARED
+#endif
+
 const uint SAMPLE = 0u;
 const uint PDF = 1u;
 const uint INVERT = 2u;
+const uint PREPARE = 3u;
 
 // The fractions of point n.
 uvec3 map_fractions(uint n) {
@@ -52,6 +58,10 @@ uvec4 map_result(uint n) {
 void main() {
     uint i = kernel_invocation();
     if (i >= push.invocations) {
+        return;
+    }
+    if (TASK == PREPARE) {
+        MAP_PREPARED
         return;
     }
     MAP_PREPARE

@@ -12,9 +12,7 @@
 #define MAP_STRUCT(name) CorputNative##name
 #else
 #include "corput/cone.glsl"
-#include "corput/disk_light.glsl"
-#include "corput/sphere_light.glsl"
-#include "corput/spherical_rectangle.glsl"
+#include "prepared_spherical.glsl"
 #define MAP_FUNCTION(name) corput_##name
 #define MAP_STRUCT(name) Corput##name
 #endif
@@ -44,21 +42,68 @@ vec3 third() {
     return uintBitsToFloat(uvec3(push.p6, push.p7, push.p8));
 }
 
-MAP_STRUCT(SphericalTriangle) triangle() {
+MAP_STRUCT(SphericalTriangle) prepare_triangle() {
     return MAP_FUNCTION(spherical_triangle_prepare)(first(), second(), third());
 }
 
-MAP_STRUCT(SphericalRectangle) rectangle() {
+MAP_STRUCT(SphericalRectangle) prepare_rectangle() {
     return MAP_FUNCTION(spherical_rectangle_prepare)(first(), second(), third());
 }
 
-MAP_STRUCT(SphereLight) sphere() {
+MAP_STRUCT(SphereLight) prepare_sphere() {
     return MAP_FUNCTION(sphere_light_prepare)(first(), uintBitsToFloat(push.p3));
 }
 
-MAP_STRUCT(DiskLight) disk() {
+MAP_STRUCT(DiskLight) prepare_disk() {
     return MAP_FUNCTION(disk_light_prepare)(first(), second(), uintBitsToFloat(push.p6));
 }
+
+#ifdef KERNEL_NATIVE
+MAP_STRUCT(SphericalTriangle) triangle() {
+    return prepare_triangle();
+}
+
+MAP_STRUCT(SphericalRectangle) rectangle() {
+    return prepare_rectangle();
+}
+
+MAP_STRUCT(SphereLight) sphere() {
+    return prepare_sphere();
+}
+
+MAP_STRUCT(DiskLight) disk() {
+    return prepare_disk();
+}
+#else
+MAP_STRUCT(SphericalTriangle) triangle() {
+    return prepared_triangle(0u);
+}
+
+MAP_STRUCT(SphericalRectangle) rectangle() {
+    return prepared_rectangle();
+}
+
+MAP_STRUCT(SphereLight) sphere() {
+    return prepared_sphere();
+}
+
+MAP_STRUCT(DiskLight) disk() {
+    return prepared_disk();
+}
+
+void map_prepare() {
+    if (MAP == SPHERICAL_TRIANGLE) {
+        store_triangle(0u, prepare_triangle());
+    } else if (MAP == SPHERICAL_RECTANGLE) {
+        store_rectangle(prepare_rectangle());
+    } else if (MAP == SPHERE_LIGHT) {
+        store_sphere(prepare_sphere());
+    } else if (MAP == DISK_LIGHT) {
+        store_disk(prepare_disk());
+    }
+}
+#define MAP_PREPARED map_prepare();
+#endif
 
 uvec4 map_sample(uvec3 u) {
     if (MAP == UNIFORM_SPHERE) {

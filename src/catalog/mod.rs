@@ -10,7 +10,7 @@ mod sequence;
 
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use guide::Guide;
-pub use maps::{Group, Map, Mapping, Parameter, maps};
+pub use maps::{Group, Map, Mapping, Parameter, Words, maps};
 pub use request::{Engine, Options, Output, Request, check_map};
 pub use scramble::{Order, SCRAMBLES, Scramble};
 pub use sequence::{SEQUENCES, Sequence};

@@ -126,6 +126,12 @@ pub fn check(device: &Arc<Device>, map: &'static Map) -> Result<Vec<Row>> {
         None => Ok(None),
     };
     let mut rows = Vec::new();
+    let prepared = mapping
+        .first()
+        .is_some_and(|first| !first.tables().is_empty() && first.map().group != Group::Environment);
+    if prepared && let Some(mut mapper) = mapper(Profile::Exact, task::PREPARE)? {
+        rows.push(compare_prepared(&mut mapper, map, &mapping)?);
+    }
     for task in [task::SAMPLE, task::PDF, task::INVERT] {
         if let Some(mut mapper) = mapper(Profile::Exact, task)? {
             rows.push(compare_map(&mut mapper, map, &mapping, task)?);
@@ -165,6 +171,28 @@ pub fn compare_map(
                 vec![x, y, z, 0]
             })?,
         }
+    }
+    Ok(row.judged())
+}
+
+/// Compares what a device prepares with what the host does, for these parameter sets.
+///
+/// # Errors
+/// Those of the device.
+pub fn compare_prepared(
+    mapper: &mut Mapper,
+    map: &'static Map,
+    mappings: &[Mapping],
+) -> Result<Row> {
+    let name = format!("{} prepare", map.name);
+    let mut row = Row::exact(&name, map.group.kernel(Profile::Exact));
+    for mapping in mappings {
+        mapper.set(mapping)?;
+        let expected = &mapping.tables()[0];
+        let got = mapper.prepare(expected.len())?;
+        row.count(&got == expected, || {
+            format!("{:?}: {got:08x?}, not {expected:08x?}", mapping.values())
+        });
     }
     Ok(row.judged())
 }

@@ -385,6 +385,8 @@ pub mod task {
     pub const PDF: u32 = 1;
     /// Samples to the fractions that give them.
     pub const INVERT: u32 = 2;
+    /// Parameters to what the others take of them, where the host prepares that.
+    pub const PREPARE: u32 = 3;
 }
 
 /// Values of the constant `MAP`, by group of maps.

@@ -104,6 +104,19 @@ impl Mapper {
         )
     }
 
+    /// So many words of what the device prepares of the parameters, by the task of that
+    /// name: the first table of a mapping, which the host prepares.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn prepare(&self, words: usize) -> Result<Vec<u32>> {
+        let bytes = 4 * words as u64;
+        let input = Buffer::new(&self.device, 16, Access::Upload)?;
+        let mut results = Buffer::new(&self.device, bytes.next_multiple_of(16), Access::Readback)?;
+        self.dispatch(&input, &results, 1)?;
+        results.read(0, bytes, bytemuck::pod_collect_to_vec)
+    }
+
     /// Rows of results for rows of input words: of the map's dimensions for samples, and
     /// four words, of which the first are coordinates, otherwise. At most 2^22 at a time.
     ///

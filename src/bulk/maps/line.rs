@@ -1,7 +1,8 @@
 //! Free flight, normal distributions and pixel filters: `map_line.comp`, `map_normal.comp`,
 //! `map_filter.comp` and `map_filter_gaussian.comp` of `shaders/kernels`, line by line.
 
-use crate::catalog::Profile;
+use super::prepared;
+use crate::catalog::{Mapping, Profile};
 use crate::interface::{MAP_PARAMETERS, map};
 use crate::reference::native::{
     filter as native_filter, free_flight as native_flight, gaussian as native_gaussian,
@@ -18,21 +19,26 @@ fn two(p: Vec2, pdf: f32) -> [u32; 4] {
 }
 
 /// Coordinates and pdf.
-pub(super) fn sample(
-    profile: Profile,
-    id: u32,
-    p: &[f32; MAP_PARAMETERS],
-    u: [u32; 3],
-) -> [u32; 4] {
-    match profile {
-        Profile::Exact => exact(id, p, u),
-        Profile::Native => native(id, p, u),
+pub(super) fn sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] {
+    let (id, p) = (mapping.map().id, mapping.parameters());
+    match (profile, id) {
+        (Profile::Exact, map::FILTER_GAUSSIAN) => {
+            let s = filter::filter_gaussian(prepared(mapping), uvec2(u[0], u[1]));
+            two(s.p, s.pdf)
+        }
+        (Profile::Native, map::FILTER_GAUSSIAN) => {
+            let f = native_filter::native_filter_gaussian_prepare(p[0], p[1]);
+            let s = native_filter::native_filter_gaussian(f, uvec2(u[0], u[1]));
+            two(s.p, s.pdf)
+        }
+        (Profile::Exact, _) => exact(id, p, u),
+        (Profile::Native, _) => native(id, p, u),
     }
 }
 
 macro_rules! samples {
     ($name:ident, $flight:ident :: $exponential:ident, $gaussian:ident :: { $normal:ident, $pair:ident, $polar:ident },
-        $filter:ident :: { $box:ident, $tent:ident, $prepare:ident, $truncated:ident }) => {
+        $filter:ident :: { $box:ident, $tent:ident }) => {
         fn $name(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 3]) -> [u32; 4] {
             let v = uvec2(u[0], u[1]);
             let filtered = match id {
@@ -54,7 +60,6 @@ macro_rules! samples {
                 }
                 map::FILTER_BOX => $filter::$box(p[0], v),
                 map::FILTER_TENT => $filter::$tent(p[0], v),
-                map::FILTER_GAUSSIAN => $filter::$truncated($filter::$prepare(p[0], p[1]), v),
                 _ => return [0; 4],
             };
             two(filtered.p, filtered.pdf)
@@ -63,20 +68,14 @@ macro_rules! samples {
 }
 
 samples!(exact, free_flight::exponential, gaussian::{ gaussian, normal_pair, box_muller },
-    filter::{ filter_box, filter_tent, filter_gaussian_prepare, filter_gaussian });
+    filter::{ filter_box, filter_tent });
 samples!(native, native_flight::native_exponential,
 native_gaussian::{ native_gaussian, native_normal_pair, native_box_muller },
-native_filter::{
-    native_filter_box, native_filter_tent, native_filter_gaussian_prepare, native_filter_gaussian
-});
+native_filter::{ native_filter_box, native_filter_tent });
 
 /// The pdf.
-pub(super) fn pdf(
-    profile: Profile,
-    id: u32,
-    p: &[f32; MAP_PARAMETERS],
-    [x, y, _]: [f32; 3],
-) -> f32 {
+pub(super) fn pdf(mapping: &Mapping, profile: Profile, [x, y, _]: [f32; 3]) -> f32 {
+    let (id, p) = (mapping.map().id, mapping.parameters());
     let at = vec2(x, y);
     match (profile, id) {
         (Profile::Exact, map::EXPONENTIAL) => free_flight::exponential_pdf(p[0], x),
@@ -85,7 +84,7 @@ pub(super) fn pdf(
         (Profile::Exact, map::FILTER_BOX) => filter::filter_box_pdf(p[0], at),
         (Profile::Exact, map::FILTER_TENT) => filter::filter_tent_pdf(p[0], at),
         (Profile::Exact, map::FILTER_GAUSSIAN) => {
-            filter::filter_gaussian_pdf(filter::filter_gaussian_prepare(p[0], p[1]), at)
+            filter::filter_gaussian_pdf(prepared(mapping), at)
         }
         (Profile::Native, map::EXPONENTIAL) => native_flight::native_exponential_pdf(p[0], x),
         (Profile::Native, map::GAUSSIAN) => native_gaussian::native_gaussian_pdf(p[0], x),
@@ -103,12 +102,8 @@ pub(super) fn pdf(
 }
 
 /// The fractions.
-pub(super) fn invert(
-    profile: Profile,
-    id: u32,
-    p: &[f32; MAP_PARAMETERS],
-    [x, y, _]: [f32; 3],
-) -> [u32; 3] {
+pub(super) fn invert(mapping: &Mapping, profile: Profile, [x, y, _]: [f32; 3]) -> [u32; 3] {
+    let (id, p) = (mapping.map().id, mapping.parameters());
     let at = vec2(x, y);
     let u = match (profile, id) {
         (Profile::Exact, map::EXPONENTIAL) => uvec2(free_flight::exponential_invert(p[0], x), 0),
@@ -118,7 +113,7 @@ pub(super) fn invert(
         (Profile::Exact, map::FILTER_BOX) => filter::filter_box_invert(p[0], at),
         (Profile::Exact, map::FILTER_TENT) => filter::filter_tent_invert(p[0], at),
         (Profile::Exact, map::FILTER_GAUSSIAN) => {
-            filter::filter_gaussian_invert(filter::filter_gaussian_prepare(p[0], p[1]), at)
+            filter::filter_gaussian_invert(prepared(mapping), at)
         }
         (Profile::Native, map::EXPONENTIAL) => {
             uvec2(native_flight::native_exponential_invert(p[0], x), 0)

@@ -7,7 +7,7 @@ mod planar;
 mod scattering;
 mod spherical;
 
-use crate::catalog::{Group, Mapping, Profile};
+use crate::catalog::{Group, Mapping, Profile, Words};
 
 /// Words of a sample: its coordinates, and then its pdf, as float bits.
 #[must_use]
@@ -16,9 +16,9 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::sample(profile, id, u),
         Group::Planar => planar::sample(profile, id, p, u),
-        Group::Spherical => spherical::sample(profile, id, p, u),
+        Group::Spherical => spherical::sample(mapping, profile, u),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
-            line::sample(profile, id, p, u)
+            line::sample(mapping, profile, u)
         }
         Group::Environment => environment::sample(mapping, profile, u),
         Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
@@ -35,9 +35,9 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
     let pdf = match mapping.map().group {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
         Group::Planar => planar::pdf(profile, id, p, s),
-        Group::Spherical => spherical::pdf(profile, id, p, s),
+        Group::Spherical => spherical::pdf(mapping, profile, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
-            line::pdf(profile, id, p, s)
+            line::pdf(mapping, profile, s)
         }
         Group::Environment => environment::pdf(mapping, profile, s),
         Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
@@ -55,13 +55,18 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
     match mapping.map().group {
         Group::Hemisphere => hemisphere::invert(profile, id, s),
         Group::Planar => planar::invert(profile, id, p, s),
-        Group::Spherical => spherical::invert(profile, id, p, s),
+        Group::Spherical => spherical::invert(mapping, profile, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
-            line::invert(profile, id, p, s)
+            line::invert(mapping, profile, s)
         }
         Group::Environment => environment::invert(mapping, s),
         Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
             scattering::invert(profile, id, p, s)
         }
     }
+}
+
+/// What is prepared of the parameters.
+fn prepared<T: Words>(mapping: &Mapping) -> T {
+    T::of(mapping.tables().first().map_or(&[], Vec::as_slice))
 }

@@ -1,7 +1,8 @@
 //! Uniform directions of solid angles: `shaders/kernels/map_spherical.comp`, line by line.
 
-use crate::catalog::Profile;
-use crate::interface::{MAP_PARAMETERS, map};
+use super::prepared;
+use crate::catalog::{Mapping, Profile};
+use crate::interface::map;
 use crate::reference::native::{
     cone as native_cone, disk_light as native_disk_light, sphere as native_sphere,
     sphere_light as native_sphere_light, spherical_rectangle as native_spherical_rectangle,
@@ -17,12 +18,8 @@ fn words(d: Vec3, pdf: f32) -> [u32; 4] {
 }
 
 /// Coordinates and pdf.
-pub(super) fn sample(
-    profile: Profile,
-    id: u32,
-    p: &[f32; MAP_PARAMETERS],
-    u: [u32; 3],
-) -> [u32; 4] {
+pub(super) fn sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] {
+    let (id, p) = (mapping.map().id, mapping.parameters());
     let u = uvec2(u[0], u[1]);
     let v = |i: usize| vec3(p[i], p[i + 1], p[i + 2]);
     match (profile, id) {
@@ -42,22 +39,22 @@ pub(super) fn sample(
             words(d, native_cone::native_cone_pdf(p[0], d))
         }
         (Profile::Exact, map::SPHERICAL_TRIANGLE) => {
-            let t = spherical_triangle::spherical_triangle_prepare(v(0), v(3), v(6));
+            let t = prepared(mapping);
             let d = spherical_triangle::spherical_triangle(t, u);
             words(d, spherical_triangle::spherical_triangle_pdf(t, d))
         }
         (Profile::Exact, map::SPHERICAL_RECTANGLE) => {
-            let t = spherical_rectangle::spherical_rectangle_prepare(v(0), v(3), v(6));
+            let t = prepared(mapping);
             let d = spherical_rectangle::spherical_rectangle(t, u);
             words(d, spherical_rectangle::spherical_rectangle_pdf(t, d))
         }
         (Profile::Exact, map::SPHERE_LIGHT) => {
-            let t = sphere_light::sphere_light_prepare(v(0), p[3]);
+            let t = prepared(mapping);
             let d = sphere_light::sphere_light(t, u);
             words(d, sphere_light::sphere_light_pdf(t, d))
         }
         (Profile::Exact, map::DISK_LIGHT) => {
-            let made = disk_light::disk_light(disk_light::disk_light_prepare(v(0), v(3), p[6]), u);
+            let made = disk_light::disk_light(prepared(mapping), u);
             words(made.direction, made.pdf)
         }
         (Profile::Native, map::SPHERICAL_TRIANGLE) => {
@@ -95,12 +92,8 @@ pub(super) fn sample(
 }
 
 /// The pdf.
-pub(super) fn pdf(
-    profile: Profile,
-    id: u32,
-    p: &[f32; MAP_PARAMETERS],
-    [x, y, z]: [f32; 3],
-) -> f32 {
+pub(super) fn pdf(mapping: &Mapping, profile: Profile, [x, y, z]: [f32; 3]) -> f32 {
+    let (id, p) = (mapping.map().id, mapping.parameters());
     let d = vec3(x, y, z);
     let v = |i: usize| vec3(p[i], p[i + 1], p[i + 2]);
     match (profile, id) {
@@ -108,20 +101,14 @@ pub(super) fn pdf(
         (Profile::Exact, map::CONE) => cone::cone_pdf(p[0], d),
         (Profile::Native, map::UNIFORM_SPHERE) => native_sphere::native_uniform_sphere_pdf(),
         (Profile::Native, map::CONE) => native_cone::native_cone_pdf(p[0], d),
-        (Profile::Exact, map::SPHERICAL_TRIANGLE) => spherical_triangle::spherical_triangle_pdf(
-            spherical_triangle::spherical_triangle_prepare(v(0), v(3), v(6)),
-            d,
-        ),
-        (Profile::Exact, map::SPHERICAL_RECTANGLE) => spherical_rectangle::spherical_rectangle_pdf(
-            spherical_rectangle::spherical_rectangle_prepare(v(0), v(3), v(6)),
-            d,
-        ),
-        (Profile::Exact, map::SPHERE_LIGHT) => {
-            sphere_light::sphere_light_pdf(sphere_light::sphere_light_prepare(v(0), p[3]), d)
+        (Profile::Exact, map::SPHERICAL_TRIANGLE) => {
+            spherical_triangle::spherical_triangle_pdf(prepared(mapping), d)
         }
-        (Profile::Exact, map::DISK_LIGHT) => {
-            disk_light::disk_light_pdf(disk_light::disk_light_prepare(v(0), v(3), p[6]), d)
+        (Profile::Exact, map::SPHERICAL_RECTANGLE) => {
+            spherical_rectangle::spherical_rectangle_pdf(prepared(mapping), d)
         }
+        (Profile::Exact, map::SPHERE_LIGHT) => sphere_light::sphere_light_pdf(prepared(mapping), d),
+        (Profile::Exact, map::DISK_LIGHT) => disk_light::disk_light_pdf(prepared(mapping), d),
         (Profile::Native, map::SPHERICAL_TRIANGLE) => {
             native_spherical_triangle::native_spherical_triangle_pdf(
                 native_spherical_triangle::native_spherical_triangle_prepare(v(0), v(3), v(6)),
@@ -148,12 +135,8 @@ pub(super) fn pdf(
 }
 
 /// The fractions.
-pub(super) fn invert(
-    profile: Profile,
-    id: u32,
-    p: &[f32; MAP_PARAMETERS],
-    [x, y, z]: [f32; 3],
-) -> [u32; 3] {
+pub(super) fn invert(mapping: &Mapping, profile: Profile, [x, y, z]: [f32; 3]) -> [u32; 3] {
+    let (id, p) = (mapping.map().id, mapping.parameters());
     let d = vec3(x, y, z);
     let v = |i: usize| vec3(p[i], p[i + 1], p[i + 2]);
     let u = match (profile, id) {
@@ -161,22 +144,16 @@ pub(super) fn invert(
         (Profile::Exact, map::CONE) => cone::cone_invert(p[0], d),
         (Profile::Native, map::UNIFORM_SPHERE) => native_sphere::native_uniform_sphere_invert(d),
         (Profile::Native, map::CONE) => native_cone::native_cone_invert(p[0], d),
-        (Profile::Exact, map::SPHERICAL_TRIANGLE) => spherical_triangle::spherical_triangle_invert(
-            spherical_triangle::spherical_triangle_prepare(v(0), v(3), v(6)),
-            d,
-        ),
+        (Profile::Exact, map::SPHERICAL_TRIANGLE) => {
+            spherical_triangle::spherical_triangle_invert(prepared(mapping), d)
+        }
         (Profile::Exact, map::SPHERICAL_RECTANGLE) => {
-            spherical_rectangle::spherical_rectangle_invert(
-                spherical_rectangle::spherical_rectangle_prepare(v(0), v(3), v(6)),
-                d,
-            )
+            spherical_rectangle::spherical_rectangle_invert(prepared(mapping), d)
         }
         (Profile::Exact, map::SPHERE_LIGHT) => {
-            sphere_light::sphere_light_invert(sphere_light::sphere_light_prepare(v(0), p[3]), d)
+            sphere_light::sphere_light_invert(prepared(mapping), d)
         }
-        (Profile::Exact, map::DISK_LIGHT) => {
-            disk_light::disk_light_invert(disk_light::disk_light_prepare(v(0), v(3), p[6]), d)
-        }
+        (Profile::Exact, map::DISK_LIGHT) => disk_light::disk_light_invert(prepared(mapping), d),
         (Profile::Native, map::SPHERICAL_TRIANGLE) => {
             native_spherical_triangle::native_spherical_triangle_invert(
                 native_spherical_triangle::native_spherical_triangle_prepare(v(0), v(3), v(6)),

@@ -1,6 +1,6 @@
 //! Free flight, normal distributions and pixel filters.
 
-use super::{Group, Map, NATIVE_SINE, Parameter, SWIFTSHADER, none};
+use super::{Group, Map, NATIVE_SINE, Parameter, none};
 use crate::catalog::Tier;
 use crate::interface::{MAP_PARAMETERS, map};
 
@@ -167,7 +167,6 @@ pub(super) const MAPS: &[Map] = &[
         pdf_ulp: 2.5,
         summary: "offsets by a Gaussian that ends at the radius",
         source: "PBRT 4th ed., 8.8.2, not lowered to 0 at its edge",
-        slow: SWIFTSHADER,
         ..BASE
     },
 ];

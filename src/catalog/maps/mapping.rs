@@ -64,11 +64,12 @@ impl Mapping {
                 None => refused(map, "parameters", "do not fit", "see `corput maps`"),
             }
         })?;
+        let prepared = super::prepared::prepared(map, &parameters);
         let mapping = Self {
             map,
             values: values.to_vec(),
             parameters,
-            tables: Arc::default(),
+            tables: Arc::new(Vec::from_iter((!prepared.is_empty()).then_some(prepared))),
         };
         if map.group != Group::Environment {
             return Ok(mapping);
@@ -133,7 +134,8 @@ impl Mapping {
         self.parameters.map(f32::to_bits)
     }
 
-    /// The tables of its kernel.
+    /// The tables of its kernel: those of an environment, or what is prepared of its
+    /// parameters.
     #[must_use]
     pub fn tables(&self) -> &[Vec<u32>] {
         &self.tables

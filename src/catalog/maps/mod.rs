@@ -5,17 +5,19 @@
 //! `map_hemisphere.comp`; parameters are `push.p0` and on), two rows of `MAPPERS` in
 //! `interface/kernels`, a variant of [`Group`], a file of rows beside this one, a file in
 //! `bulk/maps` with the three functions over the twins, and one in `judge` that
-//! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
+//! `check/maps/truth.rs` calls. What takes long to prepare is in [`Words`]. Then `generate`, `maps` and `check` know it.
 
 mod environment;
 mod hemisphere;
 mod line;
 mod mapping;
 mod planar;
+mod prepared;
 mod scattering;
 mod spherical;
 
 pub use mapping::Mapping;
+pub use prepared::Words;
 
 use super::{Profile, Tier};
 use crate::interface::MAP_PARAMETERS;
@@ -185,8 +187,6 @@ pub fn maps() -> impl Iterator<Item = &'static Map> {
 
 /// For [`Map::slow`]: the driver whose optimiser is the slowest.
 const SWIFTSHADER: &[&str] = &["SwiftShader"];
-/// For [`Map::slow`]: both drivers that are tested.
-const CPU_DEVICES: &[&str] = &["SwiftShader", "llvmpipe"];
 
 /// Takes no parameters.
 fn none(_: &[f64]) -> core::result::Result<[f32; MAP_PARAMETERS], usize> {

@@ -23,7 +23,7 @@ const BASE: Map = Map {
     pdf_ulp: 0.6,
     native: 2.0 * NATIVE_SINE,
     native_pdf: 1e-5,
-    slow: &[],
+    slow: SWIFTSHADER,
     tier: Tier::Integer,
     summary: "",
     source: "",

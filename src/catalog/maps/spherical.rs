@@ -1,6 +1,6 @@
 //! Uniform directions of solid angles.
 
-use super::{CPU_DEVICES, Group, Map, NATIVE_SINE, Parameter, SWIFTSHADER, none};
+use super::{Group, Map, NATIVE_SINE, Parameter, SWIFTSHADER, none};
 use crate::catalog::Tier;
 use crate::interface::{MAP_PARAMETERS, map};
 use crate::reference::spherical_rectangle::{
@@ -87,7 +87,7 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions of a triangle seen from the origin",
         source: "Arvo 1995 and Peters 2021, in sums that do not cancel",
-        slow: CPU_DEVICES,
+        slow: SWIFTSHADER,
         ..BASE
     },
     Map {
@@ -132,7 +132,7 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions of a rectangle seen from the origin",
         source: "two triangles that share a corner and the diagonal: Peters 2021",
-        slow: CPU_DEVICES,
+        slow: SWIFTSHADER,
         ..BASE
     },
     Map {
@@ -165,7 +165,6 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions towards a sphere",
         source: "PBRT 4th ed., 6.2.4, by versines",
-        slow: SWIFTSHADER,
         ..BASE
     },
     Map {

@@ -215,6 +215,18 @@ const TABLED: &[Binding] = &[
     },
 ];
 
+/// What the host prepared of the parameters follows the points.
+const PREPARED: &[Binding] = &[
+    RESULTS,
+    POINTS,
+    Binding {
+        binding: 2,
+        name: "prepared",
+        element: Element::Uint,
+        input: true,
+    },
+];
+
 /// The maps, by group, in both profiles.
 #[rustfmt::skip]
 const MAPPERS: &[Kernel] = &[
@@ -230,7 +242,7 @@ const MAPPERS: &[Kernel] = &[
     maps("map_phase_native", "map_phase.comp", MAPPED, Profile::Native),
     maps("map_planar", "map_planar.comp", MAPPED, Profile::Integer),
     maps("map_planar_native", "map_planar.comp", MAPPED, Profile::Native),
-    maps("map_spherical", "map_spherical.comp", MAPPED, Profile::Integer),
+    maps("map_spherical", "map_spherical.comp", PREPARED, Profile::Integer),
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
     maps("map_line", "map_line.comp", MAPPED, Profile::Integer),
     maps("map_line_native", "map_line.comp", MAPPED, Profile::Native),
@@ -238,7 +250,7 @@ const MAPPERS: &[Kernel] = &[
     maps("map_normal_native", "map_normal.comp", MAPPED, Profile::Native),
     maps("map_filter", "map_filter.comp", MAPPED, Profile::Integer),
     maps("map_filter_native", "map_filter.comp", MAPPED, Profile::Native),
-    maps("map_filter_gaussian", "map_filter_gaussian.comp", MAPPED, Profile::Integer),
+    maps("map_filter_gaussian", "map_filter_gaussian.comp", PREPARED, Profile::Integer),
     maps("map_filter_gaussian_native", "map_filter_gaussian.comp", MAPPED, Profile::Native),
     maps("map_environment", "map_environment.comp", TABLED, Profile::Integer),
     maps("map_environment_native", "map_environment.comp", TABLED, Profile::Native),
