@@ -53,12 +53,7 @@ uint corput_sqrt_floor(uint m) {
     s += uint(step);
     r = int((m << 18) - s * s);
     // One step leaves at most one unit, for 2 s step differs from r by step^2.
-    if (r < 0) {
-        s -= 1u;
-    } else if (r > int(2u * s)) {
-        s += 1u;
-    }
-    return s;
+    return s + uint(r > int(2u * s)) - uint(r < 0);
 }
 
 // sqrt(u * 2^-32), rounded down to 25 significant bits.

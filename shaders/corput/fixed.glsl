@@ -83,26 +83,23 @@ uvec2 corput_sub64(uvec2 a, uvec2 b) {
     return uvec2(low.x, a.y - b.y - low.y);
 }
 
-// v * 2^s modulo 2^64, for s from 0 to 63.
+// v * 2^s modulo 2^64, for s from 0 to 63. Without branches, of which compilers for SIMD
+// make masks; the same below.
 uvec2 corput_shl64(uvec2 v, uint s) {
-    if (s == 0u) {
-        return v;
-    }
-    if (s >= 32u) {
-        return uvec2(0u, v.x << (s - 32u));
-    }
-    return uvec2(v.x << s, (v.y << s) | (v.x >> (32u - s)));
+    uint whole = 0u - (s >> 5);
+    uint part = s & 31u;
+    uint low = v.x & ~whole;
+    uint high = (v.y & ~whole) | (v.x & whole);
+    return uvec2(low << part, (high << part) | ((low >> 1) >> (31u - part)));
 }
 
 // floor(v / 2^s), for s from 0 to 63.
 uvec2 corput_shr64(uvec2 v, uint s) {
-    if (s == 0u) {
-        return v;
-    }
-    if (s >= 32u) {
-        return uvec2(v.y >> (s - 32u), 0u);
-    }
-    return uvec2((v.x >> s) | (v.y << (32u - s)), v.y >> s);
+    uint whole = 0u - (s >> 5);
+    uint part = s & 31u;
+    uint low = (v.x & ~whole) | (v.y & whole);
+    uint high = v.y & ~whole;
+    return uvec2((low >> part) | ((high << 1) << (31u - part)), high >> part);
 }
 
 // The bits of the float nearest to v.m * 2^v.e, halves away from zero.

@@ -28,86 +28,92 @@ CorputReal corput_real_zero() {
     return CorputReal(0u, 0, false);
 }
 
+// (negative ? -1 : 1) * m * 2^e with bit 31 of m set, or 0 for m = 0. A zero has no sign and
+// no exponent: one place sets them, since each branch costs compilers dear.
+CorputReal corput_real_or_zero(uint m, int e, bool negative) {
+    CorputReal result = CorputReal(m, e, negative);
+    if (m == 0u) {
+        result = corput_real_zero();
+    }
+    return result;
+}
+
 // x, exactly. Denormals count as 0; infinities and NaN as numbers of at least 2^128.
 CorputReal corput_real(float x) {
     uint bits = floatBitsToUint(x);
     uint exponent = (bits >> 23) & 255u;
+    uint m = (bits << 8) | 0x80000000u;
     if (exponent == 0u) {
-        return corput_real_zero();
+        m = 0u;
     }
-    return CorputReal((bits << 8) | 0x80000000u, int(exponent) - 158, bits > 0x80000000u);
+    return corput_real_or_zero(m, int(exponent) - 158, bits > 0x80000000u);
 }
 
 // m * 2^e, exactly, for any m.
 CorputReal corput_real_uint(uint m, int e) {
-    if (m == 0u) {
-        return corput_real_zero();
-    }
-    uint shift = 31u - corput_find_msb(m);
-    return CorputReal(m << shift, e - int(shift), false);
+    uint shift = 31u - corput_find_msb(m | 1u);
+    return corput_real_or_zero(m << shift, e - int(shift), false);
 }
 
 // v * 2^e, for v of 64 bits, cut to 32 significant bits.
 CorputReal corput_real_wide(uvec2 v, int e) {
-    if (v.y == 0u) {
-        return corput_real_uint(v.x, e);
-    }
-    uint shift = 31u - corput_find_msb(v.y);
-    return CorputReal(corput_shl64(v, shift).y, e + 32 - int(shift), false);
+    uint whole = 0u - uint(v.y == 0u);
+    uint high = v.y | (v.x & whole);
+    uint low = v.x & ~whole;
+    uint shift = 31u - corput_find_msb(high | 1u);
+    return corput_real_or_zero((high << shift) | ((low >> 1) >> (31u - shift)),
+        e + 32 - int(shift) - int(whole & 32u), false);
 }
 
 // (negative ? -1 : 1) * v.
 CorputReal corput_real_scaled(CorputScaled v, bool negative) {
-    if (v.m == 0u) {
-        return corput_real_zero();
-    }
-    return CorputReal(v.m, v.e, negative);
+    return corput_real_or_zero(v.m, v.e, negative);
 }
 
 // -a.
 CorputReal corput_real_negate(CorputReal a) {
-    return CorputReal(a.m, a.e, a.m != 0u && !a.negative);
+    return corput_real_or_zero(a.m, a.e, !a.negative);
 }
 
 // a * 2^k.
 CorputReal corput_real_shift(CorputReal a, int k) {
-    return CorputReal(a.m, a.m == 0u ? 0 : a.e + k, a.negative);
+    return corput_real_or_zero(a.m, a.e + k, a.negative);
 }
 
 // Whether |a| < |b|.
 bool corput_real_smaller(CorputReal a, CorputReal b) {
-    if (a.m == 0u || b.m == 0u) {
-        return b.m != 0u;
-    }
-    return a.e < b.e || (a.e == b.e && a.m < b.m);
+    // 0 below all others: its exponent is 0.
+    int a_e = a.e - int(uint(a.m == 0u) << 30);
+    int b_e = b.e - int(uint(b.m == 0u) << 30);
+    return (uint(a_e < b_e) | (uint(a_e == b_e) & uint(a.m < b.m))) != 0u;
 }
 
 // Whether a < b.
 bool corput_real_less(CorputReal a, CorputReal b) {
-    if (a.negative != b.negative) {
-        return a.negative;
-    }
+    uint smaller = uint(corput_real_smaller(a, b));
     // Of two negative numbers the larger magnitude is the lesser.
-    if (a.negative) {
-        return corput_real_smaller(b, a);
-    }
-    return corput_real_smaller(a, b);
+    uint larger = uint(corput_real_smaller(b, a));
+    uint a_sign = uint(a.negative);
+    uint b_sign = uint(b.negative);
+    return ((a_sign & ((b_sign ^ 1u) | larger)) | (((a_sign | b_sign) ^ 1u) & smaller)) != 0u;
 }
 
 // The lesser of a and b.
 CorputReal corput_real_min(CorputReal a, CorputReal b) {
+    CorputReal lesser = a;
     if (corput_real_less(b, a)) {
-        return b;
+        lesser = b;
     }
-    return a;
+    return lesser;
 }
 
 // The greater of a and b.
 CorputReal corput_real_max(CorputReal a, CorputReal b) {
+    CorputReal greater = a;
     if (corput_real_less(a, b)) {
-        return b;
+        greater = b;
     }
-    return a;
+    return greater;
 }
 
 // a + b.
@@ -118,20 +124,16 @@ CorputReal corput_real_add(CorputReal a, CorputReal b) {
         large = b;
         small = a;
     }
-    if (small.m == 0u) {
-        return large;
-    }
-    uvec2 shifted = corput_shr64(uvec2(0u, small.m), uint(min(large.e - small.e, 63)));
-    if (large.negative == small.negative) {
-        uvec2 sum = corput_addc(large.m, shifted.y);
-        if (sum.y != 0u) {
-            return CorputReal((sum.x >> 1) | 0x80000000u, large.e + 1, large.negative);
-        }
-        return CorputReal(sum.x, large.e, large.negative);
-    }
     // 32 guard bits: where more than one bit cancels, none was shifted out.
-    CorputReal rest = corput_real_wide(corput_sub64(uvec2(0u, large.m), shifted), large.e - 32);
-    return CorputReal(rest.m, rest.e, rest.m != 0u && large.negative);
+    uvec2 shifted = corput_shr64(uvec2(0u, small.m), uint(clamp(large.e - small.e, 0, 63)));
+    uint differ = uint(large.negative) ^ uint(small.negative);
+    uint flip = 0u - differ;
+    uvec2 low = corput_addc(shifted.x ^ flip, differ);
+    uvec2 high = corput_addc(large.m, (shifted.y ^ flip) + low.y);
+    // The sum's carry; that of a difference says only that it is not negative.
+    uint carry = high.y & ~flip;
+    CorputReal sum = corput_real_wide(uvec2(low.x, (high.x >> carry) | (carry << 31)), large.e - 32 + int(carry));
+    return corput_real_or_zero(sum.m, sum.e, large.negative);
 }
 
 // a - b.
@@ -141,12 +143,10 @@ CorputReal corput_real_subtract(CorputReal a, CorputReal b) {
 
 // a * b.
 CorputReal corput_real_multiply(CorputReal a, CorputReal b) {
-    if (a.m == 0u || b.m == 0u) {
-        return corput_real_zero();
-    }
     uvec2 product = corput_mul64(a.m, b.m);
     uint shift = (product.y >> 31) ^ 1u;
-    return CorputReal(corput_shl64(product, shift).y, a.e + b.e + 32 - int(shift), a.negative != b.negative);
+    return corput_real_or_zero((product.y << shift) | ((product.x >> 31) & shift),
+        a.e + b.e + 32 - int(shift), a.negative != b.negative);
 }
 
 // a * a.
@@ -166,12 +166,6 @@ uint corput_real_reciprocal(uint m) {
 
 // a / b; 0 / b is 0, also for b = 0, and a / 0 is 2^128 with the sign of a.
 CorputReal corput_real_divide(CorputReal a, CorputReal b) {
-    if (a.m == 0u) {
-        return corput_real_zero();
-    }
-    if (b.m == 0u) {
-        return CorputReal(0x80000000u, 97, a.negative);
-    }
     uint x = corput_real_reciprocal(b.m);
     // a.m / b.m in units of 2^-31, never too large; the residual gives 26 bits more.
     uint q = corput_mulhi(a.m, x);
@@ -179,45 +173,53 @@ CorputReal corput_real_divide(CorputReal a, CorputReal b) {
     uint low = corput_mulhi(corput_shr64(r, 5u).x, x);
     uvec2 quotient = corput_add64(corput_shl64(uvec2(q, 0u), 26u), uvec2(low, 0u));
     CorputReal result = corput_real_wide(quotient, a.e - b.e - 57);
-    return CorputReal(result.m, result.e, a.negative != b.negative);
+    if (b.m == 0u) {
+        result = CorputReal(min(a.m, 0x80000000u), 97, false);
+    }
+    return corput_real_or_zero(result.m, result.e, a.negative != b.negative);
 }
 
 // sqrt(a); 0 for a < 0.
 CorputReal corput_real_sqrt(CorputReal a) {
-    if (a.m == 0u || a.negative) {
-        return corput_real_zero();
+    // 1 in place of what has no root.
+    bool none = (uint(a.m == 0u) | uint(a.negative)) != 0u;
+    CorputReal square = a;
+    if (none) {
+        square = CorputReal(0x80000000u, -31, false);
     }
-    uint odd = uint(a.e) & 1u;
-    uint half_m = a.m >> odd;
+    uint odd = uint(square.e) & 1u;
+    uint half_m = square.m >> odd;
     uint s = corput_sqrt_floor(half_m);
     // The residual, and with it the next term of Taylor's series.
-    uint r = (half_m << 18) - s * s + ((a.m & odd) << 17);
-    uint low = min((r << 6) / s, 127u);
-    return CorputReal((s << 7) + low, ((a.e + int(odd)) >> 1) - 16, false);
+    uint r = (half_m << 18) - s * s + ((square.m & odd) << 17);
+    uint m = (s << 7) + min((r << 6) / s, 127u);
+    if (none) {
+        m = 0u;
+    }
+    return corput_real_or_zero(m, ((square.e + int(odd)) >> 1) - 16, false);
 }
 
 // The nearest float, halves away from zero: at most the largest finite float in magnitude,
 // +0 below 2^-126.
 float corput_real_float(CorputReal a) {
-    if (a.m == 0u || a.e < -157) {
-        return 0.0;
+    uint bits = min(0x7f7fffffu, corput_pack_bits(CorputScaled(a.m, clamp(a.e, -157, 97))));
+    if (a.e < -157) {
+        bits = 0u;
     }
-    uint bits = 0x7f7fffffu;
-    if (a.e <= 96) {
-        bits = min(bits, corput_pack_bits(CorputScaled(a.m, a.e)));
-    }
-    return uintBitsToFloat(a.negative ? bits | 0x80000000u : bits);
+    uint sign = uint(a.negative) & uint(bits != 0u);
+    return uintBitsToFloat(bits | (sign << 31));
 }
 
 // floor(a * 2^32), from 0 to 2^32 - 1.
 uint corput_real_fraction(CorputReal a) {
-    if (a.negative || a.e < -63) {
-        return 0u;
-    }
+    uint bits = a.m >> uint(clamp(-32 - a.e, 0, 31));
     if (a.e > -32) {
-        return a.m == 0u ? 0u : 0xffffffffu;
+        bits = 0u - uint(a.m != 0u);
     }
-    return a.m >> uint(-32 - a.e);
+    if ((uint(a.negative) | uint(a.e < -63)) != 0u) {
+        bits = 0u;
+    }
+    return bits;
 }
 
 #endif

@@ -15,12 +15,21 @@ pub fn install() {
         let again = INTERRUPTED.swap(true, Ordering::SeqCst);
         if again || !CLEANS_UP.load(Ordering::SeqCst) {
             eprintln!("corput: interrupted; run again");
-            std::process::exit(CUT_OFF);
+            exit();
         }
     };
     if let Err(error) = ctrlc::set_handler(handler) {
         eprintln!("corput: Ctrl-C will not be handled: {error}");
     }
+}
+
+/// Ends the process without a word to its libraries: drivers whose threads still compile crash
+/// when what they use is taken down around them.
+fn exit() -> ! {
+    #[cfg(unix)]
+    signal_hook::low_level::exit(CUT_OFF);
+    #[cfg(not(unix))]
+    std::process::exit(CUT_OFF);
 }
 
 /// From now on the work calls [`stop`] itself, and leaves nothing half-written.

@@ -63,12 +63,7 @@ pub fn sqrt_floor(m: u32) -> u32 {
     s = s.wrapping_add(step as u32);
     r = (m << 18).wrapping_sub(s.wrapping_mul(s)) as i32;
     // One step leaves at most one unit, for 2 s step differs from r by step^2.
-    if r < 0 {
-        s -= 1;
-    } else if r > (2 * s) as i32 {
-        s += 1;
-    }
-    s
+    s + u32::from(r > (2 * s) as i32) - u32::from(r < 0)
 }
 
 /// `sqrt(u * 2^-32)`, rounded down to 25 significant bits.

@@ -67,26 +67,22 @@ pub fn sub64(a: UVec2, b: UVec2) -> UVec2 {
 #[inline]
 #[must_use]
 pub fn shl64(v: UVec2, s: u32) -> UVec2 {
-    if s == 0 {
-        return v;
-    }
-    if s >= 32 {
-        return uvec2(0, v.x << (s - 32));
-    }
-    uvec2(v.x << s, (v.y << s) | (v.x >> (32 - s)))
+    let whole = 0u32.wrapping_sub(s >> 5);
+    let part = s & 31;
+    let low = v.x & !whole;
+    let high = (v.y & !whole) | (v.x & whole);
+    uvec2(low << part, (high << part) | ((low >> 1) >> (31 - part)))
 }
 
 /// `floor(v / 2^s)`, for s from 0 to 63.
 #[inline]
 #[must_use]
 pub fn shr64(v: UVec2, s: u32) -> UVec2 {
-    if s == 0 {
-        return v;
-    }
-    if s >= 32 {
-        return uvec2(v.y >> (s - 32), 0);
-    }
-    uvec2((v.x >> s) | (v.y << (32 - s)), v.y >> s)
+    let whole = 0u32.wrapping_sub(s >> 5);
+    let part = s & 31;
+    let low = (v.x & !whole) | (v.y & whole);
+    let high = v.y & !whole;
+    uvec2((low >> part) | ((high << 1) << (31 - part)), high >> part)
 }
 
 /// The bits of the float nearest to `v.m * 2^v.e`, halves away from zero.

@@ -87,7 +87,7 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions of a triangle seen from the origin",
         source: "Arvo 1995 and Peters 2021, in sums that do not cancel",
-        slow: SWIFTSHADER,
+        slow: &[],
         ..BASE
     },
     Map {
@@ -132,7 +132,7 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions of a rectangle seen from the origin",
         source: "two triangles that share a corner and the diagonal: Peters 2021",
-        slow: SWIFTSHADER,
+        slow: &[],
         ..BASE
     },
     Map {
