@@ -15,8 +15,9 @@
 //         of a direction, 2^-22 of its components, so that no sample falls outside.
 // errors: the solid angle 0.6 ULP, for any lengths, sides down to 1e-12, and vertices within
 //         1e-7 of the plane of the other two and the origin; the direction 0.6 ULP, or 2^-24
-//         of the longest side where that is more. The inverse agrees with the sample to
-//         2^-20, more where the rounding of a direction is more of the triangle.
+//         of the longest side where that is more, and of a and c nearly opposite 2^-29 over
+//         the cosine of half their angle. The inverse agrees with the sample to 2^-20, more
+//         where the rounding of a direction is more of the triangle.
 // cost:   prepare 5,000, sample 1,900 integer instructions. tier I.
 // hooks:  none.
 // mirror: src/reference/spherical_triangle.rs
@@ -48,10 +49,10 @@ struct CorputSphericalTriangle {
 };
 
 // The cosine's part of Van Oosterom and Strackee's formula for unit vectors, with the
-// widest side from u to v, half of whose angle has this cosine.
-CorputReal corput_spherical_triangle_cosine(CorputReal3 u, CorputReal3 v, CorputReal3 w, CorputReal cosine) {
-    CorputReal square = corput_real_shift(corput_real_square(cosine), 1);
-    return corput_real_add(square, corput_real3_dot(corput_real3_normalize(w), corput_arc_sum(u, v)));
+// widest side from u to v.
+CorputReal corput_spherical_triangle_cosine(CorputReal3 u, CorputReal3 v, CorputReal3 w, CorputArc arc, CorputReal3 normal) {
+    CorputReal square = corput_real_shift(corput_real_square(arc.cosine), 1);
+    return corput_real_add(square, corput_real3_dot(w, corput_arc_sum(u, v, arc, normal)));
 }
 
 // The triangle with vertices a, b, c, given the products a x b, b x c, c x a and the triple
@@ -64,38 +65,58 @@ CorputSphericalTriangle corput_spherical_triangle_of(CorputReal3 a, CorputReal3 
     CorputReal b_length = corput_real3_length(b);
     CorputReal lengths = corput_real_multiply(corput_real_multiply(corput_real3_length(a), b_length),
         corput_real3_length(c));
-    CorputReal cosine = corput_spherical_triangle_cosine(a, b, c, ab.cosine);
+    CorputReal3 ua = corput_real3_normalize(a);
+    CorputReal3 ub = corput_real3_normalize(b);
+    CorputReal3 uc = corput_real3_normalize(c);
+    CorputReal3 ab_normal = corput_real3_normalize(ab_across);
+    CorputReal3 bc_normal = corput_real3_normalize(bc_across);
+    CorputReal3 ca_normal = corput_real3_normalize(ca_across);
+    CorputReal cosine = corput_spherical_triangle_cosine(ua, ub, uc, ab, ab_normal);
     if (corput_real_less(bc.cosine, corput_real_min(ab.cosine, ca.cosine))) {
-        cosine = corput_spherical_triangle_cosine(b, c, a, bc.cosine);
+        cosine = corput_spherical_triangle_cosine(ub, uc, ua, bc, bc_normal);
     } else if (corput_real_less(ca.cosine, ab.cosine)) {
-        cosine = corput_spherical_triangle_cosine(c, a, b, ca.cosine);
-    }
-    // A vertex at the origin spans nothing.
-    if (lengths.m == 0u) {
-        cosine = corput_real_uint(1u, 0);
+        cosine = corput_spherical_triangle_cosine(uc, ua, ub, ca, ca_normal);
     }
     CorputReal sine = corput_real_divide(magnitude, lengths);
+    // A vertex at the origin, on another or opposite to it: then there is no side.
+    if (ab.cosine.m == 0u || ab.sine.m == 0u || bc.cosine.m == 0u || bc.sine.m == 0u
+        || ca.cosine.m == 0u || ca.sine.m == 0u) {
+        cosine = corput_real_uint(1u, 0);
+        sine = corput_real_zero();
+    }
     CorputReal height = corput_real_divide(magnitude,
         corput_real_multiply(b_length, corput_real3_length(ca_across)));
     return CorputSphericalTriangle(
-        corput_real3_normalize(a),
-        corput_real3_normalize(b),
-        corput_real3_normalize(c),
+        ua,
+        ub,
+        uc,
         ab,
         bc,
         ca,
         corput_angle(sine, cosine),
         corput_angle(sine, corput_real_negate(cosine)),
-        corput_real3_signed(corput_real3_normalize(ab_across), volume.negative),
-        corput_real3_signed(corput_real3_normalize(bc_across), volume.negative),
-        corput_real3_signed(corput_real3_normalize(ca_across), volume.negative),
+        corput_real3_signed(ab_normal, volume.negative),
+        corput_real3_signed(bc_normal, volume.negative),
+        corput_real3_signed(ca_normal, volume.negative),
         corput_real3_normalize(corput_wide_cross(b, ab_across)),
         height);
 }
 
-// a . (b x c) by the sides at a, which must be the shortest.
+// a . (b x c), whose products are exact, but for what 64 bits cut; where that tells, as of small
+// triangles, by the sides at a, which are exact if the lengths are alike.
 CorputReal corput_spherical_triangle_volume(CorputReal3 a, CorputReal3 b, CorputReal3 c) {
-    return corput_wide_triple(a, corput_real3_subtract(b, a), corput_real3_subtract(c, a));
+    CorputReal volume = corput_wide_triple(a, b, c);
+    CorputReal x = corput_real3_length(a);
+    CorputReal y = corput_real3_length(b);
+    CorputReal z = corput_real3_length(c);
+    CorputReal lengths = corput_real_multiply(corput_real_multiply(x, y), z);
+    CorputReal shortest = corput_real_min(x, corput_real_min(y, z));
+    CorputReal longest = corput_real_max(x, corput_real_max(y, z));
+    if (corput_real_smaller(volume, corput_real_shift(lengths, -30))
+        && corput_real_less(longest, corput_real_shift(shortest, 7))) {
+        return corput_wide_triple(a, corput_real3_subtract(b, a), corput_real3_subtract(c, a));
+    }
+    return volume;
 }
 
 // The triangle with these vertices.
@@ -103,17 +124,8 @@ CorputSphericalTriangle corput_spherical_triangle_prepare(vec3 a, vec3 b, vec3 c
     CorputReal3 va = corput_real3(a);
     CorputReal3 vb = corput_real3(b);
     CorputReal3 vc = corput_real3(c);
-    CorputReal a_length = corput_real3_length(va);
-    CorputReal b_length = corput_real3_length(vb);
-    CorputReal c_length = corput_real3_length(vc);
-    CorputReal volume = corput_spherical_triangle_volume(va, vb, vc);
-    if (corput_real_less(b_length, corput_real_min(a_length, c_length))) {
-        volume = corput_spherical_triangle_volume(vb, vc, va);
-    } else if (corput_real_less(c_length, a_length)) {
-        volume = corput_spherical_triangle_volume(vc, va, vb);
-    }
     return corput_spherical_triangle_of(va, vb, vc, corput_wide_cross(va, vb), corput_wide_cross(vb, vc),
-        corput_wide_cross(vc, va), volume);
+        corput_wide_cross(vc, va), corput_spherical_triangle_volume(va, vb, vc));
 }
 
 // The moving vertex c' on ca: weight_a a + weight_c c has this length squared.
@@ -202,8 +214,10 @@ vec3 corput_spherical_triangle_polar(CorputSphericalTriangle t, CorputMovingVert
 vec3 corput_spherical_triangle_at(CorputSphericalTriangle t, CorputReal before, CorputReal behind, uint u) {
     CorputMovingVertex v = corput_moving_vertex(t, before, behind);
     CorputReal square = corput_real_square(v.b_cosine);
-    if (corput_real_less(square, corput_real_uint(1u, -1))
-        && corput_real_less(corput_real_multiply(square, t.ab.cosine), t.ab.sine)) {
+    bool far = corput_real_less(square, corput_real_uint(1u, -1))
+        && corput_real_less(corput_real_multiply(square, t.ab.cosine), t.ab.sine);
+    // Nearly opposite vertices leave nothing of their sum.
+    if (far || corput_real_less(t.ca.cosine, corput_real_shift(t.ab.sine, -5))) {
         return corput_spherical_triangle_polar(t, v, before, u);
     }
     return corput_spherical_triangle_sum(t, v, u);

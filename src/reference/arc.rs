@@ -1,15 +1,15 @@
 //! Arcs between directions, without the differences that cancel in short and long ones.
 //!
-//! Source: the half-angle formulas; |v| - |w| = (v - w).(v + w) / (|v| + |w|). Domain:
-//! vectors of any length, exact floats. Range: cosines and sines of half angles within
-//! 2^-28 of themselves. Tier I.
+//! Source: the half-angle formulas; for unit vectors u, v with the unit normal n of u x v,
+//! u + v = (v - u) x n / tan(half the angle). Domain: vectors of any length, exact floats.
+//! Range: cosines and sines of half angles within 2^-28 of themselves. Tier I.
 //! Mirror: `shaders/corput/arc.glsl`.
 
 use crate::reference::real::{
-    Real, real_add, real_divide, real_multiply, real_negate, real_shift, real_sqrt, real_uint,
+    Real, real_add, real_divide, real_less, real_multiply, real_negate, real_shift, real_sqrt,
 };
 use crate::reference::real_vector::{
-    Real3, real3_add, real3_dot, real3_length, real3_scale, real3_subtract,
+    Real3, real3_add, real3_cross, real3_dot, real3_length, real3_scale, real3_subtract,
 };
 
 /// Half the angle between two vectors.
@@ -73,19 +73,14 @@ pub fn arc(a: Real3, b: Real3, normal: Real3) -> Arc {
     }
 }
 
-/// a / |a| + b / |b|, each component within 2^-28 of the length of the sum.
+/// u + v of unit vectors, each component within 2^-28 of the length of the sum, given their arc
+/// and the unit normal of u x v.
 #[inline]
 #[must_use]
-pub fn arc_sum(a: Real3, b: Real3) -> Real3 {
-    let a_length = real3_length(a);
-    let b_length = real3_length(b);
-    let sum = real3_add(a, b);
-    let difference = real3_subtract(a, b);
-    // |a| - |b|, without a difference of roots.
-    let excess = real_divide(real3_dot(sum, difference), real_add(a_length, b_length));
-    let both = real3_add(real3_scale(sum, b_length), real3_scale(b, excess));
-    real3_scale(
-        both,
-        real_divide(real_uint(1, 0), real_multiply(a_length, b_length)),
-    )
+pub fn arc_sum(u: Real3, v: Real3, arc: Arc, normal: Real3) -> Real3 {
+    if !real_less(arc.cosine, arc.sine) {
+        return real3_add(u, v);
+    }
+    let across = real3_cross(real3_subtract(v, u), normal);
+    real3_scale(across, real_divide(arc.cosine, arc.sine))
 }

@@ -16,7 +16,8 @@ use crate::reference::angle::{angle, angle_cosine, angle_sine_half};
 use crate::reference::arc::{Arc, arc, arc_sum, real3_combine, real3_signed};
 use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_less, real_max, real_min, real_multiply,
-    real_negate, real_shift, real_sqrt, real_square, real_subtract, real_uint, real_zero,
+    real_negate, real_shift, real_smaller, real_sqrt, real_square, real_subtract, real_uint,
+    real_zero,
 };
 use crate::reference::real_angle::real_complement;
 use crate::reference::real_vector::{
@@ -58,12 +59,12 @@ pub struct SphericalTriangle {
 }
 
 /// The cosine's part of Van Oosterom and Strackee's formula for unit vectors, with the
-/// widest side from u to v, half of whose angle has this cosine.
+/// widest side from u to v.
 #[inline]
 #[must_use]
-pub fn spherical_triangle_cosine(u: Real3, v: Real3, w: Real3, cosine: Real) -> Real {
-    let square = real_shift(real_square(cosine), 1);
-    real_add(square, real3_dot(real3_normalize(w), arc_sum(u, v)))
+pub fn spherical_triangle_cosine(u: Real3, v: Real3, w: Real3, arc: Arc, normal: Real3) -> Real {
+    let square = real_shift(real_square(arc.cosine), 1);
+    real_add(square, real3_dot(w, arc_sum(u, v, arc, normal)))
 }
 
 /// The triangle with vertices a, b, c, given the products a x b, b x c, c x a and the triple
@@ -89,40 +90,65 @@ pub fn spherical_triangle_of(
     };
     let b_length = real3_length(b);
     let lengths = real_multiply(real_multiply(real3_length(a), b_length), real3_length(c));
-    let mut cosine = spherical_triangle_cosine(a, b, c, ab.cosine);
+    let ua = real3_normalize(a);
+    let ub = real3_normalize(b);
+    let uc = real3_normalize(c);
+    let ab_normal = real3_normalize(ab_across);
+    let bc_normal = real3_normalize(bc_across);
+    let ca_normal = real3_normalize(ca_across);
+    let mut cosine = spherical_triangle_cosine(ua, ub, uc, ab, ab_normal);
     if real_less(bc.cosine, real_min(ab.cosine, ca.cosine)) {
-        cosine = spherical_triangle_cosine(b, c, a, bc.cosine);
+        cosine = spherical_triangle_cosine(ub, uc, ua, bc, bc_normal);
     } else if real_less(ca.cosine, ab.cosine) {
-        cosine = spherical_triangle_cosine(c, a, b, ca.cosine);
+        cosine = spherical_triangle_cosine(uc, ua, ub, ca, ca_normal);
     }
-    // A vertex at the origin spans nothing.
-    if lengths.m == 0 {
+    let mut sine = real_divide(magnitude, lengths);
+    // A vertex at the origin, on another or opposite to it: then there is no side.
+    if ab.cosine.m == 0
+        || ab.sine.m == 0
+        || bc.cosine.m == 0
+        || bc.sine.m == 0
+        || ca.cosine.m == 0
+        || ca.sine.m == 0
+    {
         cosine = real_uint(1, 0);
+        sine = real_zero();
     }
-    let sine = real_divide(magnitude, lengths);
     let height = real_divide(magnitude, real_multiply(b_length, real3_length(ca_across)));
     SphericalTriangle {
-        a: real3_normalize(a),
-        b: real3_normalize(b),
-        c: real3_normalize(c),
+        a: ua,
+        b: ub,
+        c: uc,
         ab,
         bc,
         ca,
         area: angle(sine, cosine),
         rest: angle(sine, real_negate(cosine)),
-        ab_normal: real3_signed(real3_normalize(ab_across), volume.negative),
-        bc_normal: real3_signed(real3_normalize(bc_across), volume.negative),
-        ca_normal: real3_signed(real3_normalize(ca_across), volume.negative),
+        ab_normal: real3_signed(ab_normal, volume.negative),
+        bc_normal: real3_signed(bc_normal, volume.negative),
+        ca_normal: real3_signed(ca_normal, volume.negative),
         tangent: real3_normalize(wide_cross(b, ab_across)),
         height,
     }
 }
 
-/// a . (b x c) by the sides at a, which must be the shortest.
+/// a . (b x c), whose products are exact, but for what 64 bits cut; where that tells, as of small
+/// triangles, by the sides at a, which are exact if the lengths are alike.
 #[inline]
 #[must_use]
 pub fn spherical_triangle_volume(a: Real3, b: Real3, c: Real3) -> Real {
-    wide_triple(a, real3_subtract(b, a), real3_subtract(c, a))
+    let volume = wide_triple(a, b, c);
+    let x = real3_length(a);
+    let y = real3_length(b);
+    let z = real3_length(c);
+    let lengths = real_multiply(real_multiply(x, y), z);
+    let shortest = real_min(x, real_min(y, z));
+    let longest = real_max(x, real_max(y, z));
+    if real_smaller(volume, real_shift(lengths, -30)) && real_less(longest, real_shift(shortest, 7))
+    {
+        return wide_triple(a, real3_subtract(b, a), real3_subtract(c, a));
+    }
+    volume
 }
 
 /// The triangle with these vertices.
@@ -132,15 +158,6 @@ pub fn spherical_triangle_prepare(a: Vec3, b: Vec3, c: Vec3) -> SphericalTriangl
     let va = real3(a);
     let vb = real3(b);
     let vc = real3(c);
-    let a_length = real3_length(va);
-    let b_length = real3_length(vb);
-    let c_length = real3_length(vc);
-    let mut volume = spherical_triangle_volume(va, vb, vc);
-    if real_less(b_length, real_min(a_length, c_length)) {
-        volume = spherical_triangle_volume(vb, vc, va);
-    } else if real_less(c_length, a_length) {
-        volume = spherical_triangle_volume(vc, va, vb);
-    }
     spherical_triangle_of(
         va,
         vb,
@@ -148,7 +165,7 @@ pub fn spherical_triangle_prepare(a: Vec3, b: Vec3, c: Vec3) -> SphericalTriangl
         wide_cross(va, vb),
         wide_cross(vb, vc),
         wide_cross(vc, va),
-        volume,
+        spherical_triangle_volume(va, vb, vc),
     )
 }
 
@@ -281,9 +298,10 @@ pub fn spherical_triangle_polar(
 pub fn spherical_triangle_at(t: SphericalTriangle, before: Real, behind: Real, u: u32) -> Vec3 {
     let v = moving_vertex(t, before, behind);
     let square = real_square(v.b_cosine);
-    if real_less(square, real_uint(1, -1))
-        && real_less(real_multiply(square, t.ab.cosine), t.ab.sine)
-    {
+    let far = real_less(square, real_uint(1, -1))
+        && real_less(real_multiply(square, t.ab.cosine), t.ab.sine);
+    // Nearly opposite vertices leave nothing of their sum.
+    if far || real_less(t.ca.cosine, real_shift(t.ab.sine, -5)) {
         return spherical_triangle_polar(t, v, before, u);
     }
     spherical_triangle_sum(t, v, u)

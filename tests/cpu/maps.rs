@@ -268,3 +268,72 @@ fn distance(s: [u32; 3], t: [u32; 3]) -> f64 {
 fn wide(word: u32) -> f64 {
     f64::from(f32::from_bits(word))
 }
+
+/// Coordinates that no sample has, and some that are nearly one's.
+const STRANGE: [f32; 20] = [
+    0.0,
+    -0.0,
+    1e-45,
+    1e-38,
+    1e-30,
+    1e-10,
+    -1e-10,
+    6e-8,
+    -0.3,
+    0.6,
+    0.8,
+    1.0,
+    -1.0,
+    2.0,
+    1e20,
+    -1e20,
+    f32::MAX,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::NAN,
+];
+
+#[test]
+fn a_pdf_is_never_nan_nor_negative() {
+    for mapping in mappings() {
+        for profile in [Profile::Exact, Profile::Native] {
+            for i in 0..20 * 20 * 20 {
+                let at = [i % 20, i / 20 % 20, i / 400].map(|k| STRANGE[k]);
+                let pdf = f32::from_bits(map_pdf(&mapping, profile, at.map(f32::to_bits)));
+                assert!(pdf >= 0.0, "{} {profile:?} {at:?}: {pdf}", label(&mapping));
+                // An infinite coordinate may have an infinite cosine.
+                let bounded = pdf.is_finite() || at.iter().any(|x| !x.is_finite());
+                assert!(bounded, "{} {profile:?} {at:?}: {pdf}", label(&mapping));
+                let _ = map_invert(&mapping, profile, at.map(f32::to_bits));
+            }
+        }
+    }
+}
+
+/// Views along the surface, where half of the normals are perpendicular to them.
+#[test]
+fn a_sample_is_finite_at_the_horizon() {
+    for map in maps() {
+        let (Some(wo), Some(alpha)) = (
+            map.parameters.iter().position(|one| one.name == "wo"),
+            map.parameters.iter().position(|one| one.name == "alpha"),
+        ) else {
+            continue;
+        };
+        assert!((alpha, wo) == (0, 2));
+        for alpha in [1e-6, 0.5, 1e3] {
+            let mapping =
+                Mapping::with_values(map, &[alpha, 0.0, 1.0, 0.0, 0.0]).expect("in domain");
+            for profile in [Profile::Exact, Profile::Native] {
+                for u in fractions() {
+                    let words = map_sample(&mapping, profile, u).map(f32::from_bits);
+                    assert!(
+                        words.iter().all(|x| x.is_finite()),
+                        "{} {profile:?} {u:x?}: {words:?}",
+                        label(&mapping)
+                    );
+                }
+            }
+        }
+    }
+}

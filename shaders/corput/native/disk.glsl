@@ -20,9 +20,14 @@ float corput_native_signed_unit(uint u) {
     return float(int(u ^ 0x80000000u)) * 4.656612873077393e-10;
 }
 
-// The fraction of 2^32 nearest below x, for x clamped to [0, 1).
+// The fraction of 2^32 nearest below x, for x clamped to [0, 1); 0 for NaN.
 uint corput_native_fraction(float x) {
-    return uint(clamp(x, 0.0, 0.99999994) * 4294967296.0);
+    return x > 0.0 ? uint(min(x, 0.99999994) * 4294967296.0) : 0u;
+}
+
+// x as a density: the largest float for what is larger, 0 for what is negative or NaN.
+float corput_native_density(float x) {
+    return x > 0.0 ? min(x, 3.4028235e38) : 0.0;
 }
 
 // Angle of p in turns, in [0, 1].

@@ -46,12 +46,12 @@ uint corput_native_gaussian_invert(float sigma, float x) {
 CorputNativeGaussianPair corput_native_normal_pair(float sigma, uvec2 u) {
     CorputNativeGaussian x = corput_native_gaussian(sigma, u.x);
     CorputNativeGaussian y = corput_native_gaussian(sigma, u.y);
-    return CorputNativeGaussianPair(vec2(x.x, y.x), x.pdf * y.pdf);
+    return CorputNativeGaussianPair(vec2(x.x, y.x), corput_native_density(x.pdf * y.pdf));
 }
 
 // The pdf of two coordinates, whichever way they were made.
 float corput_native_normal_pair_pdf(float sigma, vec2 p) {
-    return corput_native_gaussian_pdf(sigma, p.x) * corput_native_gaussian_pdf(sigma, p.y);
+    return corput_native_density(corput_native_gaussian_pdf(sigma, p.x) * corput_native_gaussian_pdf(sigma, p.y));
 }
 
 // The fractions whose quantiles give this point.
@@ -64,7 +64,7 @@ CorputNativeGaussianPair corput_native_box_muller(float sigma, uvec2 u) {
     float s = corput_native_positive(sigma);
     float radius = s * sqrt(2.0 * corput_native_negative_log(u.x));
     float phi = 6.2831853 * corput_native_unit(u.y);
-    float pdf = 0.15915494 * corput_native_complement(u.x) / s / s;
+    float pdf = corput_native_density(0.15915494 * corput_native_complement(u.x) / s / s);
     return CorputNativeGaussianPair(vec2(radius * cos(phi), radius * sin(phi)), pdf);
 }
 

@@ -32,8 +32,8 @@ float corput_native_ggx_distribution(vec2 alpha, vec3 h) {
     float x = corput_native_ggx_alpha(alpha.x);
     float y = corput_native_ggx_alpha(alpha.y);
     vec3 n = vec3(h.x / x, h.y / y, h.z);
-    float ratio = dot(h, h) / dot(n, n);
-    return 0.31830989 * (ratio / x) * (ratio / y);
+    float ratio = corput_native_quotient(dot(h, h), dot(n, n));
+    return corput_native_density(0.31830989 * (ratio / x) * (ratio / y));
 }
 
 // Smith's Lambda; the largest float for w.z <= 0.
@@ -43,7 +43,7 @@ float corput_native_ggx_lambda(vec2 alpha, vec3 w) {
     }
     float x = w.x * alpha.x;
     float y = w.y * alpha.y;
-    return (x * x + y * y) / (2.0 * w.z * (w.z + corput_native_ggx_stretch(alpha, w)));
+    return corput_native_density((x * x + y * y) / (2.0 * w.z * (w.z + corput_native_ggx_stretch(alpha, w))));
 }
 
 // Smith's G1; 0 for w.z <= 0.
@@ -51,7 +51,7 @@ float corput_native_ggx_g1(vec2 alpha, vec3 w) {
     if (w.z <= 0.0) {
         return 0.0;
     }
-    return 2.0 * w.z / (w.z + corput_native_ggx_stretch(alpha, w));
+    return corput_native_density(2.0 * w.z / (w.z + corput_native_ggx_stretch(alpha, w)));
 }
 
 // Smith's G2; 0 where wo.z or wi.z <= 0.
@@ -59,8 +59,8 @@ float corput_native_ggx_g2(vec2 alpha, vec3 wo, vec3 wi) {
     if (wo.z <= 0.0 || wi.z <= 0.0) {
         return 0.0;
     }
-    return 2.0 * wo.z * wi.z / (wi.z * corput_native_ggx_stretch(alpha, wo)
-        + wo.z * corput_native_ggx_stretch(alpha, wi));
+    return corput_native_density(2.0 * wo.z * wi.z / (wi.z * corput_native_ggx_stretch(alpha, wo)
+        + wo.z * corput_native_ggx_stretch(alpha, wi)));
 }
 
 #endif

@@ -4,7 +4,8 @@
 // domain: finite alpha; its sign does not count, and what is below 1e-9 counts as that. wo of
 //         any length near 1, above, on or below the horizon; (0, 0, 0) counts as +z.
 // range:  unit vectors to the device's precision.
-// pdf:    with respect to solid angle of wi, over the sphere.
+// pdf:    with respect to solid angle of wi, over the sphere; never more than the largest float,
+//         0 for what is no direction.
 // errors: about 2^-20 of a normal of the unit sphere, and 2^-20 / alpha of directions and,
 //         relative, of the pdf.
 // cost:   40 to 60 float instructions.
@@ -63,48 +64,40 @@ float corput_native_ggx_area(CorputNativeGgx g) {
     return g.stretch * g.cap_above;
 }
 
-// a / b; 0 for b <= 0.
-float corput_native_ggx_quotient(float a, float b) {
-    if (b > 0.0) {
-        return a / b;
-    }
-    return 0.0;
-}
-
 // wo reflected at the normal n of the unit sphere, of squared length n_square, with
 // V.n = cosine, and the pdf D / (2 area).
 CorputNativeScattered corput_native_ggx_reflected(CorputNativeGgx g, vec3 n, float n_square, float cosine) {
     vec3 s = vec3(n.x * g.alpha.x, n.y * g.alpha.y, n.z);
     float s_square = dot(s, s);
-    float scale = 2.0 * corput_native_ggx_quotient(g.stretch * cosine, s_square);
-    float ratio = corput_native_ggx_quotient(s_square, n_square);
+    float scale = 2.0 * corput_native_quotient(g.stretch * cosine, s_square);
+    float ratio = corput_native_quotient(s_square, n_square);
     float density = 0.31830989 * (ratio / g.alpha.x) * (ratio / g.alpha.y);
     return CorputNativeScattered(s * scale - g.wo,
-        corput_native_ggx_quotient(density, 2.0 * corput_native_ggx_area(g)));
+        corput_native_density(corput_native_quotient(density, 2.0 * corput_native_ggx_area(g))));
 }
 
 // The microfacet normal for the normal n of the unit sphere, and its pdf 2 (wo.h) D / area.
 CorputNativeScattered corput_native_ggx_normal(CorputNativeGgx g, vec3 n, float n_square, float cosine) {
     vec3 s = vec3(n.x * g.alpha.x, n.y * g.alpha.y, n.z);
     float s_square = dot(s, s);
-    float inverse = corput_native_ggx_quotient(1.0, sqrt(s_square));
-    float ratio = corput_native_ggx_quotient(s_square, n_square);
+    float inverse = corput_native_quotient(1.0, sqrt(s_square));
+    float ratio = corput_native_quotient(s_square, n_square);
     float density = 0.31830989 * (ratio / g.alpha.x) * (ratio / g.alpha.y);
     float wo_h = g.stretch * cosine * inverse;
     return CorputNativeScattered(s * inverse,
-        corput_native_ggx_quotient(2.0 * wo_h * density, corput_native_ggx_area(g)));
+        corput_native_density(corput_native_quotient(2.0 * wo_h * density, corput_native_ggx_area(g))));
 }
 
 // V + V', where V' is V reflected at the normal of the unit sphere whose facet reflects wo
 // to wi; h is wo + wi.
 vec3 corput_native_ggx_sphere_sum(CorputNativeGgx g, vec3 h) {
     vec3 n = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
-    return n * corput_native_ggx_quotient(dot(h, h) / g.stretch, dot(n, n));
+    return n * corput_native_quotient(dot(h, h) / g.stretch, dot(n, n));
 }
 
 // wo + wi, a multiple of the normal between them.
 vec3 corput_native_ggx_half(CorputNativeGgx g, vec3 wi) {
-    return wi * corput_native_ggx_quotient(1.0, sqrt(dot(wi, wi))) + g.wo;
+    return wi * corput_native_quotient(1.0, sqrt(dot(wi, wi))) + g.wo;
 }
 
 // The pdf D(h) / (2 area) of a reflected direction; 0 outside the cap.
@@ -115,8 +108,8 @@ float corput_native_ggx_pdf(CorputNativeGgx g, vec3 wi) {
     if (wi.z < 0.0 && n.z < g.excess) {
         return 0.0;
     }
-    return corput_native_ggx_quotient(corput_native_ggx_distribution(g.alpha, h),
-        2.0 * corput_native_ggx_area(g));
+    return corput_native_density(corput_native_quotient(corput_native_ggx_distribution(g.alpha, h),
+        2.0 * corput_native_ggx_area(g)));
 }
 
 // The weight G2 cos D / (4 cos cos' pdf) of a reflected direction, without Fresnel's term.
@@ -124,8 +117,8 @@ float corput_native_ggx_weight(CorputNativeGgx g, vec3 wi) {
     if (g.wo.z < 0.0 || wi.z <= 0.0) {
         return 0.0;
     }
-    return wi.z * corput_native_ggx_area(g)
-        / (wi.z * g.stretch + g.wo.z * corput_native_ggx_stretch(g.alpha, wi));
+    return corput_native_density(wi.z * corput_native_ggx_area(g)
+        / (wi.z * g.stretch + g.wo.z * corput_native_ggx_stretch(g.alpha, wi)));
 }
 
 #endif

@@ -89,8 +89,8 @@ float corput_native_ggx_vndf_normal_pdf(CorputNativeGgx g, vec3 normal) {
     if (wo_h <= 0.0) {
         return 0.0;
     }
-    return corput_native_ggx_quotient(2.0 * wo_h * corput_native_ggx_distribution(g.alpha, normal),
-        corput_native_ggx_area(g));
+    return corput_native_density(corput_native_quotient(
+        2.0 * wo_h * corput_native_ggx_distribution(g.alpha, normal), corput_native_ggx_area(g)));
 }
 
 // t2 + A cos; where the terms differ in sign, by the difference of the squares of t2 sin and
@@ -108,7 +108,7 @@ float corput_native_ggx_vndf_rise(float sine, float cosine, float t2, float w, f
 // The fractions that give the normal h, of any length, with wo.h.
 uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h, float wo_h) {
     vec3 shrunk = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
-    float inverse = corput_native_ggx_quotient(1.0, sqrt(dot(shrunk, shrunk)));
+    float inverse = corput_native_quotient(1.0, sqrt(dot(shrunk, shrunk)));
     vec3 n = shrunk * inverse;
     vec3 axis = corput_native_ggx_vndf_axis(g);
     float along = n.x * axis.x + n.y * axis.y;
@@ -122,9 +122,9 @@ uvec2 corput_native_ggx_vndf_fractions(CorputNativeGgx g, vec3 h, float wo_h) {
         q = w * w / (a + t2);
     }
     // A - y and A + y, whose product is 1 - u.
-    float less = corput_native_ggx_quotient(2.0 * q, g.cap_above);
+    float less = corput_native_quotient(2.0 * q, g.cap_above);
     float rise = corput_native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a);
-    float more = corput_native_ggx_quotient(2.0 * rise, g.cap_above);
+    float more = corput_native_quotient(2.0 * rise, g.cap_above);
     float y = a - less;
     return uvec2(corput_native_fraction_of(t1 * t1 + y * y, less * more),
         corput_native_fraction(corput_native_turns(vec2(t1, y))));

@@ -40,9 +40,9 @@ uvec2 corput_native_ggx_vndf_cap_invert(CorputNativeGgx g, vec3 wi) {
     vec3 n = corput_native_ggx_sphere_sum(g, corput_native_ggx_half(g, wi));
     vec2 around = vec2(n.x - g.view.x, n.y - g.view.y);
     float height = n.z - g.excess;
-    float below = corput_native_ggx_quotient(dot(around, around), height + g.cap_below);
-    return uvec2(corput_native_fraction_of(corput_native_ggx_quotient(below, g.cap_above),
-        corput_native_ggx_quotient(height, g.cap_above)), corput_native_fraction(corput_native_turns(around)));
+    float below = corput_native_quotient(dot(around, around), height + g.cap_below);
+    return uvec2(corput_native_fraction_of(corput_native_quotient(below, g.cap_above),
+        corput_native_quotient(height, g.cap_above)), corput_native_fraction(corput_native_turns(around)));
 }
 
 #endif

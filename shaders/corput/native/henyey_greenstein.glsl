@@ -77,7 +77,7 @@ float corput_native_henyey_greenstein_pdf(CorputNativeHenyeyGreenstein h, vec3 d
         below = (direction.x * direction.x + direction.y * direction.y) / (1.0 + z);
     }
     float root = sqrt(h.rest * h.rest + 2.0 * h.g * below);
-    return 0.07957747 * (h.rest / root) * (1.0 + h.g) / (root * root);
+    return corput_native_density(0.07957747 * (h.rest / root) * (1.0 + h.g) / (root * root));
 }
 
 // The fractions that give this direction.

@@ -44,9 +44,9 @@ float corput_native_normal_quantile(uint u) {
     return u < 0x80000000u ? -z : z;
 }
 
-// The density at z.
+// The density at z; 0 for NaN.
 float corput_native_normal_density(float z) {
-    return 0.39894228 * exp(-0.5 * z * z);
+    return corput_native_density(0.39894228 * exp(-0.5 * z * z));
 }
 
 // The mass of the normal distribution from 0 to |z|, and above |z|.

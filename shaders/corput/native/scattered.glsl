@@ -46,6 +46,14 @@ vec3 corput_native_around(float radius, uint phi, float z) {
     return vec3(radius * circle.x, radius * circle.y, z);
 }
 
+// a / b; 0 for b <= 0.
+float corput_native_quotient(float a, float b) {
+    if (b > 0.0) {
+        return a / b;
+    }
+    return 0.0;
+}
+
 // The fraction a of 2^32, where b = 1 - a: from the smaller.
 uint corput_native_fraction_of(float a, float b) {
     if (a < b) {

@@ -79,8 +79,10 @@ CorputNativeSphericalTriangle corput_native_spherical_triangle_of(vec3 a, vec3 b
     vec3 ub = corput_native_direction(b);
     vec3 uc = corput_native_direction(c);
     float cosine = (1.0 + dot(ua, ub) + dot(ub, uc) + dot(uc, ua)) * lengths;
-    float area = sine > 0.0 && lengths > 0.0 ? atan(sine, cosine) : 0.0;
-    float rest = sine > 0.0 && lengths > 0.0 ? atan(sine, -cosine) : 0.0;
+    // Vertices on each other or opposite have no side between them.
+    bool seen = sine > 0.0 && min(ab.x * ab.y, min(bc.x * bc.y, ca.x * ca.y)) > 0.0;
+    float area = seen ? atan(sine, cosine) : 0.0;
+    float rest = seen ? atan(sine, -cosine) : 0.0;
     vec3 ab_normal = corput_native_direction(ab_across);
     float height = sine / max(b_length * sqrt(dot(ca_across, ca_across)), 1e-37);
     return CorputNativeSphericalTriangle(

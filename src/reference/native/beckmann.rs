@@ -2,15 +2,19 @@
 //! in the native profile, with pdf and inverse.
 //!
 //! Source: Walter et al. 2007, as beckmann.glsl. Domain: finite alpha; its sign does not
-//! count, and what is below 1e-9 counts as that. wo of any length near 1. Two fractions
-//! of 2^32. Range: unit vectors to the device's precision. Pdf: with respect to solid
-//! angle. Errors: about 2^-19 of normals, directions and, relative, their pdf.
+//! count, and what is below 1e-9 counts as that. wo of any length near 1; wo = 0 has the
+//! sample 0 and as its pdf the largest float. Two fractions of 2^32. Range: unit vectors to
+//! the device's precision. Pdf: with respect to solid angle; the largest float where it is
+//! infinite, 0 for h.z = 0, beyond r = 10 and for what is no direction. Errors: about 2^-19
+//! of normals, directions and, relative, their pdf.
 //! Mirror: `shaders/corput/native/beckmann.glsl`.
 
-use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
+use crate::reference::native::disk::{native_density, native_fraction, native_turns, native_unit};
 use crate::reference::native::ggx::native_ggx_alpha;
 use crate::reference::native::hemisphere::native_complement;
-use crate::reference::native::scattered::{NativeScattered, native_around, native_fraction_of};
+use crate::reference::native::scattered::{
+    NativeScattered, native_around, native_fraction_of, native_quotient,
+};
 use glam::{UVec2, Vec2, Vec3, uvec2, vec2, vec3};
 
 /// -ln(1 - u): by its series for small u, where Vulkan's log has an absolute error of 2^-21.
@@ -38,17 +42,20 @@ pub fn native_beckmann_slopes(alpha: Vec2, u: UVec2) -> Vec3 {
 #[must_use]
 pub fn native_beckmann_density(alpha: Vec2, slopes: Vec3, rest: f32) -> f32 {
     let square = slopes.dot(slopes);
-    std::f32::consts::FRAC_1_PI * rest / native_ggx_alpha(alpha.x) / native_ggx_alpha(alpha.y)
-        * square
-        * square.sqrt()
+    native_density(
+        std::f32::consts::FRAC_1_PI * rest / native_ggx_alpha(alpha.x) / native_ggx_alpha(alpha.y)
+            * square
+            * square.sqrt(),
+    )
 }
 
-/// e^-r^2 for the slopes.
+/// e^-r^2 for the slopes; 0 beyond r = 10.
 #[must_use]
 pub fn native_beckmann_rest(alpha: Vec2, slopes: Vec3) -> f32 {
     let x = slopes.x / native_ggx_alpha(alpha.x);
     let y = slopes.y / native_ggx_alpha(alpha.y);
-    (-(x * x + y * y).min(100.0)).exp()
+    let square = x * x + y * y;
+    if square < 100.0 { (-square).exp() } else { 0.0 }
 }
 
 /// The fractions that give these slopes.
@@ -94,32 +101,34 @@ pub fn native_beckmann_normal_invert(alpha: Vec2, normal: Vec3) -> UVec2 {
 /// Direction and pdf.
 #[must_use]
 pub fn native_beckmann(alpha: Vec2, wo: Vec3, u: UVec2) -> NativeScattered {
-    let o = wo * (1.0 / (wo.dot(wo)).sqrt());
+    let o = wo * native_quotient(1.0, (wo.dot(wo)).sqrt());
     let slopes = native_beckmann_slopes(alpha, u);
     let square = slopes.dot(slopes);
     let cosine = o.dot(slopes);
     let pdf = native_beckmann_density(alpha, slopes, native_complement(u.x));
     NativeScattered {
         direction: slopes * (2.0 * cosine / square) - o,
-        pdf: pdf * square.sqrt() / (4.0 * cosine.abs()),
+        pdf: native_density(pdf * square.sqrt() / (4.0 * cosine.abs())),
     }
 }
 
 /// The pdf of a direction.
 #[must_use]
 pub fn native_beckmann_pdf(alpha: Vec2, wo: Vec3, wi: Vec3) -> f32 {
-    let h = wi + wo * (1.0 / (wo.dot(wo)).sqrt());
+    let h = wi + wo * native_quotient(1.0, (wo.dot(wo)).sqrt());
     if h.z == 0.0 {
         return 0.0;
     }
     let slopes = vec3(h.x / h.z, h.y / h.z, 1.0);
-    native_beckmann_density(alpha, slopes, native_beckmann_rest(alpha, slopes))
-        / (2.0 * (h.dot(h)).sqrt())
+    native_density(
+        native_beckmann_density(alpha, slopes, native_beckmann_rest(alpha, slopes))
+            / (2.0 * (h.dot(h)).sqrt()),
+    )
 }
 
 /// The fractions that give this direction.
 #[must_use]
 pub fn native_beckmann_invert(alpha: Vec2, wo: Vec3, wi: Vec3) -> UVec2 {
-    let h = wi + wo * (1.0 / (wo.dot(wo)).sqrt());
+    let h = wi + wo * native_quotient(1.0, (wo.dot(wo)).sqrt());
     native_beckmann_fractions(alpha, vec3(h.x / h.z, h.y / h.z, 1.0))
 }

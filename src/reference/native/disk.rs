@@ -18,10 +18,20 @@ pub fn native_signed_unit(u: u32) -> f32 {
     (u ^ 0x8000_0000) as i32 as f32 * 4.656_613e-10
 }
 
-/// The fraction of 2^32 nearest below x, for x clamped to [0, 1).
+/// The fraction of 2^32 nearest below x, for x clamped to [0, 1); 0 for NaN.
 #[must_use]
 pub fn native_fraction(x: f32) -> u32 {
-    (x.clamp(0.0, 0.999_999_94) * 4_294_967_296.0) as u32
+    if x > 0.0 {
+        (x.min(0.999_999_94) * 4_294_967_296.0) as u32
+    } else {
+        0
+    }
+}
+
+/// x as a density: the largest float for what is larger, 0 for what is negative or NaN.
+#[must_use]
+pub fn native_density(x: f32) -> f32 {
+    if x > 0.0 { x.min(f32::MAX) } else { 0.0 }
 }
 
 /// Angle of p in turns, in [0, 1].

@@ -7,7 +7,7 @@
 //! an absolute error of 2^-11, log 3 ULP.
 //! Mirror: `shaders/corput/native/gaussian.glsl`.
 
-use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
+use crate::reference::native::disk::{native_density, native_fraction, native_turns, native_unit};
 use crate::reference::native::free_flight::{native_negative_log, native_positive};
 use crate::reference::native::hemisphere::native_complement;
 use crate::reference::native::normal_quantile::{
@@ -68,7 +68,7 @@ pub fn native_normal_pair(sigma: f32, u: UVec2) -> NativeGaussianPair {
     let y = native_gaussian(sigma, u.y);
     NativeGaussianPair {
         p: vec2(x.x, y.x),
-        pdf: x.pdf * y.pdf,
+        pdf: native_density(x.pdf * y.pdf),
     }
 }
 
@@ -76,7 +76,7 @@ pub fn native_normal_pair(sigma: f32, u: UVec2) -> NativeGaussianPair {
 #[inline]
 #[must_use]
 pub fn native_normal_pair_pdf(sigma: f32, p: Vec2) -> f32 {
-    native_gaussian_pdf(sigma, p.x) * native_gaussian_pdf(sigma, p.y)
+    native_density(native_gaussian_pdf(sigma, p.x) * native_gaussian_pdf(sigma, p.y))
 }
 
 /// The fractions whose quantiles give this point.
@@ -96,7 +96,7 @@ pub fn native_box_muller(sigma: f32, u: UVec2) -> NativeGaussianPair {
     let s = native_positive(sigma);
     let radius = s * (2.0 * native_negative_log(u.x)).sqrt();
     let phi = std::f32::consts::TAU * native_unit(u.y);
-    let pdf = 0.159_154_94 * native_complement(u.x) / s / s;
+    let pdf = native_density(0.159_154_94 * native_complement(u.x) / s / s);
     NativeGaussianPair {
         p: vec2(radius * phi.cos(), radius * phi.sin()),
         pdf,

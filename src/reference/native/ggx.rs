@@ -7,6 +7,8 @@
 //! the device's sqrt and division.
 //! Mirror: `shaders/corput/native/ggx.glsl`.
 
+use crate::reference::native::disk::native_density;
+use crate::reference::native::scattered::native_quotient;
 use glam::{Vec2, Vec3, vec3};
 
 /// |stretched w|.
@@ -32,8 +34,8 @@ pub fn native_ggx_distribution(alpha: Vec2, h: Vec3) -> f32 {
     let x = native_ggx_alpha(alpha.x);
     let y = native_ggx_alpha(alpha.y);
     let n = vec3(h.x / x, h.y / y, h.z);
-    let ratio = h.dot(h) / n.dot(n);
-    std::f32::consts::FRAC_1_PI * (ratio / x) * (ratio / y)
+    let ratio = native_quotient(h.dot(h), n.dot(n));
+    native_density(std::f32::consts::FRAC_1_PI * (ratio / x) * (ratio / y))
 }
 
 /// Smith's Lambda; the largest float for w.z <= 0.
@@ -44,7 +46,7 @@ pub fn native_ggx_lambda(alpha: Vec2, w: Vec3) -> f32 {
     }
     let x = w.x * alpha.x;
     let y = w.y * alpha.y;
-    (x * x + y * y) / (2.0 * w.z * (w.z + native_ggx_stretch(alpha, w)))
+    native_density((x * x + y * y) / (2.0 * w.z * (w.z + native_ggx_stretch(alpha, w))))
 }
 
 /// Smith's G1; 0 for w.z <= 0.
@@ -53,7 +55,7 @@ pub fn native_ggx_g1(alpha: Vec2, w: Vec3) -> f32 {
     if w.z <= 0.0 {
         return 0.0;
     }
-    2.0 * w.z / (w.z + native_ggx_stretch(alpha, w))
+    native_density(2.0 * w.z / (w.z + native_ggx_stretch(alpha, w)))
 }
 
 /// Smith's G2; 0 where wo.z or wi.z <= 0.
@@ -62,6 +64,8 @@ pub fn native_ggx_g2(alpha: Vec2, wo: Vec3, wi: Vec3) -> f32 {
     if wo.z <= 0.0 || wi.z <= 0.0 {
         return 0.0;
     }
-    2.0 * wo.z * wi.z
-        / (wi.z * native_ggx_stretch(alpha, wo) + wo.z * native_ggx_stretch(alpha, wi))
+    native_density(
+        2.0 * wo.z * wi.z
+            / (wi.z * native_ggx_stretch(alpha, wo) + wo.z * native_ggx_stretch(alpha, wi)),
+    )
 }

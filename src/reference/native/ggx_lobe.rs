@@ -4,14 +4,16 @@
 //! Source: as ggx_lobe.glsl. Domain: finite alpha; its sign does not count, and what is
 //! below 1e-9 counts as that. wo of any length near 1, above, on or below the horizon;
 //! (0, 0, 0) counts as +z. Range: unit vectors to the device's precision. Pdf: with
-//! respect to solid angle of wi, over the sphere. Errors: about 2^-20 of a normal of the
+//! respect to solid angle of wi, over the sphere; never more than the largest float, 0 for
+//! what is no direction. Errors: about 2^-20 of a normal of the
 //! unit sphere, and 2^-20 / alpha of directions and, relative, of the pdf.
 //! Mirror: `shaders/corput/native/ggx_lobe.glsl`.
 
+use crate::reference::native::disk::native_density;
 use crate::reference::native::ggx::{
     native_ggx_alpha, native_ggx_distribution, native_ggx_stretch,
 };
-use crate::reference::native::scattered::NativeScattered;
+use crate::reference::native::scattered::{NativeScattered, native_quotient};
 use glam::{Vec2, Vec3, vec2, vec3};
 
 /// A lobe.
@@ -74,27 +76,18 @@ pub fn native_ggx_area(g: NativeGgx) -> f32 {
     g.stretch * g.cap_above
 }
 
-/// a / b; 0 for b <= 0.
-#[must_use]
-pub fn native_ggx_quotient(a: f32, b: f32) -> f32 {
-    if b > 0.0 {
-        return a / b;
-    }
-    0.0
-}
-
 /// wo reflected at the normal n of the unit sphere, of squared length n_square, with
 /// V.n = cosine, and the pdf D / (2 area).
 #[must_use]
 pub fn native_ggx_reflected(g: NativeGgx, n: Vec3, n_square: f32, cosine: f32) -> NativeScattered {
     let s = vec3(n.x * g.alpha.x, n.y * g.alpha.y, n.z);
     let s_square = s.dot(s);
-    let scale = 2.0 * native_ggx_quotient(g.stretch * cosine, s_square);
-    let ratio = native_ggx_quotient(s_square, n_square);
+    let scale = 2.0 * native_quotient(g.stretch * cosine, s_square);
+    let ratio = native_quotient(s_square, n_square);
     let density = std::f32::consts::FRAC_1_PI * (ratio / g.alpha.x) * (ratio / g.alpha.y);
     NativeScattered {
         direction: s * scale - g.wo,
-        pdf: native_ggx_quotient(density, 2.0 * native_ggx_area(g)),
+        pdf: native_density(native_quotient(density, 2.0 * native_ggx_area(g))),
     }
 }
 
@@ -103,13 +96,13 @@ pub fn native_ggx_reflected(g: NativeGgx, n: Vec3, n_square: f32, cosine: f32) -
 pub fn native_ggx_normal(g: NativeGgx, n: Vec3, n_square: f32, cosine: f32) -> NativeScattered {
     let s = vec3(n.x * g.alpha.x, n.y * g.alpha.y, n.z);
     let s_square = s.dot(s);
-    let inverse = native_ggx_quotient(1.0, s_square.sqrt());
-    let ratio = native_ggx_quotient(s_square, n_square);
+    let inverse = native_quotient(1.0, s_square.sqrt());
+    let ratio = native_quotient(s_square, n_square);
     let density = std::f32::consts::FRAC_1_PI * (ratio / g.alpha.x) * (ratio / g.alpha.y);
     let wo_h = g.stretch * cosine * inverse;
     NativeScattered {
         direction: s * inverse,
-        pdf: native_ggx_quotient(2.0 * wo_h * density, native_ggx_area(g)),
+        pdf: native_density(native_quotient(2.0 * wo_h * density, native_ggx_area(g))),
     }
 }
 
@@ -118,13 +111,13 @@ pub fn native_ggx_normal(g: NativeGgx, n: Vec3, n_square: f32, cosine: f32) -> N
 #[must_use]
 pub fn native_ggx_sphere_sum(g: NativeGgx, h: Vec3) -> Vec3 {
     let n = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
-    n * native_ggx_quotient(h.dot(h) / g.stretch, n.dot(n))
+    n * native_quotient(h.dot(h) / g.stretch, n.dot(n))
 }
 
 /// wo + wi, a multiple of the normal between them.
 #[must_use]
 pub fn native_ggx_half(g: NativeGgx, wi: Vec3) -> Vec3 {
-    wi * native_ggx_quotient(1.0, (wi.dot(wi)).sqrt()) + g.wo
+    wi * native_quotient(1.0, (wi.dot(wi)).sqrt()) + g.wo
 }
 
 /// The pdf D(h) / (2 area) of a reflected direction; 0 outside the cap.
@@ -136,10 +129,10 @@ pub fn native_ggx_pdf(g: NativeGgx, wi: Vec3) -> f32 {
     if wi.z < 0.0 && n.z < g.excess {
         return 0.0;
     }
-    native_ggx_quotient(
+    native_density(native_quotient(
         native_ggx_distribution(g.alpha, h),
         2.0 * native_ggx_area(g),
-    )
+    ))
 }
 
 /// The weight G2 cos D / (4 cos cos' pdf) of a reflected direction, without Fresnel's term.
@@ -148,5 +141,7 @@ pub fn native_ggx_weight(g: NativeGgx, wi: Vec3) -> f32 {
     if g.wo.z < 0.0 || wi.z <= 0.0 {
         return 0.0;
     }
-    wi.z * native_ggx_area(g) / (wi.z * g.stretch + g.wo.z * native_ggx_stretch(g.alpha, wi))
+    native_density(
+        wi.z * native_ggx_area(g) / (wi.z * g.stretch + g.wo.z * native_ggx_stretch(g.alpha, wi)),
+    )
 }

@@ -7,14 +7,16 @@
 //! ggx_lobe.glsl.
 //! Mirror: `shaders/corput/native/ggx_vndf.glsl`.
 
-use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
+use crate::reference::native::disk::{native_density, native_fraction, native_turns, native_unit};
 use crate::reference::native::ggx::native_ggx_distribution;
 use crate::reference::native::ggx_lobe::{
     NativeGgx, native_ggx_area, native_ggx_half, native_ggx_normal, native_ggx_pdf,
-    native_ggx_quotient, native_ggx_reflected,
+    native_ggx_reflected,
 };
 use crate::reference::native::hemisphere::native_complement;
-use crate::reference::native::scattered::{NativeScattered, native_around, native_fraction_of};
+use crate::reference::native::scattered::{
+    NativeScattered, native_around, native_fraction_of, native_quotient,
+};
 use glam::{UVec2, Vec3, uvec2, vec2, vec3};
 
 /// A visible normal of the unit sphere.
@@ -104,10 +106,10 @@ pub fn native_ggx_vndf_normal_pdf(g: NativeGgx, normal: Vec3) -> f32 {
     if wo_h <= 0.0 {
         return 0.0;
     }
-    native_ggx_quotient(
+    native_density(native_quotient(
         2.0 * wo_h * native_ggx_distribution(g.alpha, normal),
         native_ggx_area(g),
-    )
+    ))
 }
 
 /// t2 + A cos; where the terms differ in sign, by the difference of the squares of t2 sin and
@@ -127,7 +129,7 @@ pub fn native_ggx_vndf_rise(sine: f32, cosine: f32, t2: f32, w: f32, a: f32) -> 
 #[must_use]
 pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3, wo_h: f32) -> UVec2 {
     let shrunk = vec3(h.x / g.alpha.x, h.y / g.alpha.y, h.z);
-    let inverse = native_ggx_quotient(1.0, (shrunk.dot(shrunk)).sqrt());
+    let inverse = native_quotient(1.0, (shrunk.dot(shrunk)).sqrt());
     let n = shrunk * inverse;
     let axis = native_ggx_vndf_axis(g);
     let along = n.x * axis.x + n.y * axis.y;
@@ -141,9 +143,9 @@ pub fn native_ggx_vndf_fractions(g: NativeGgx, h: Vec3, wo_h: f32) -> UVec2 {
         q = w * w / (a + t2);
     }
     // A - y and A + y, whose product is 1 - u.
-    let less = native_ggx_quotient(2.0 * q, g.cap_above);
+    let less = native_quotient(2.0 * q, g.cap_above);
     let rise = native_ggx_vndf_rise(axis.z, g.view.z, t2, w, a);
-    let more = native_ggx_quotient(2.0 * rise, g.cap_above);
+    let more = native_quotient(2.0 * rise, g.cap_above);
     let y = a - less;
     uvec2(
         native_fraction_of(t1 * t1 + y * y, less * more),

@@ -9,11 +9,12 @@
 
 use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
 use crate::reference::native::ggx_lobe::{
-    NativeGgx, native_ggx_half, native_ggx_pdf, native_ggx_quotient, native_ggx_reflected,
-    native_ggx_sphere_sum,
+    NativeGgx, native_ggx_half, native_ggx_pdf, native_ggx_reflected, native_ggx_sphere_sum,
 };
 use crate::reference::native::hemisphere::native_complement;
-use crate::reference::native::scattered::{NativeScattered, native_around, native_fraction_of};
+use crate::reference::native::scattered::{
+    NativeScattered, native_around, native_fraction_of, native_quotient,
+};
 use glam::{UVec2, Vec3, uvec2, vec2, vec3};
 
 /// V + V' for a point V' of the cap.
@@ -46,11 +47,11 @@ pub fn native_ggx_vndf_cap_invert(g: NativeGgx, wi: Vec3) -> UVec2 {
     let n = native_ggx_sphere_sum(g, native_ggx_half(g, wi));
     let around = vec2(n.x - g.view.x, n.y - g.view.y);
     let height = n.z - g.excess;
-    let below = native_ggx_quotient(around.dot(around), height + g.cap_below);
+    let below = native_quotient(around.dot(around), height + g.cap_below);
     uvec2(
         native_fraction_of(
-            native_ggx_quotient(below, g.cap_above),
-            native_ggx_quotient(height, g.cap_above),
+            native_quotient(below, g.cap_above),
+            native_quotient(height, g.cap_above),
         ),
         native_fraction(native_turns(around)),
     )

@@ -8,7 +8,7 @@
 //! 1.
 //! Mirror: `shaders/corput/native/henyey_greenstein.glsl`.
 
-use crate::reference::native::disk::{native_fraction, native_turns, native_unit};
+use crate::reference::native::disk::{native_density, native_fraction, native_turns, native_unit};
 use crate::reference::native::hemisphere::native_complement;
 use crate::reference::native::scattered::{NativeScattered, native_around, native_fraction_of};
 use glam::{UVec2, Vec3, uvec2};
@@ -92,7 +92,7 @@ pub fn native_henyey_greenstein_pdf(h: NativeHenyeyGreenstein, direction: Vec3) 
         below = (direction.x * direction.x + direction.y * direction.y) / (1.0 + z);
     }
     let root = (h.rest * h.rest + 2.0 * h.g * below).sqrt();
-    0.07957747 * (h.rest / root) * (1.0 + h.g) / (root * root)
+    native_density(0.07957747 * (h.rest / root) * (1.0 + h.g) / (root * root))
 }
 
 /// The fractions that give this direction.

@@ -7,7 +7,7 @@
 //! themselves, within what Vulkan allows log, sqrt and exp.
 //! Mirror: `shaders/corput/native/normal_quantile.glsl`.
 
-use crate::reference::native::disk::{native_fraction, native_unit};
+use crate::reference::native::disk::{native_density, native_fraction, native_unit};
 use glam::{Vec2, vec2};
 
 /// z >= 0 with this mass from 0 to z, and this tail beyond, which is 1/2 - mass.
@@ -48,11 +48,11 @@ pub fn native_normal_quantile(u: u32) -> f32 {
     if u < 0x8000_0000 { -z } else { z }
 }
 
-/// The density at z.
+/// The density at z; 0 for NaN.
 #[inline]
 #[must_use]
 pub fn native_normal_density(z: f32) -> f32 {
-    0.398_942_28 * (-0.5 * z * z).exp()
+    native_density(0.398_942_28 * (-0.5 * z * z).exp())
 }
 
 /// The mass of the normal distribution from 0 to |z|, and above |z|.

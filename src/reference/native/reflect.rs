@@ -2,10 +2,12 @@
 //!
 //! Source: Walter et al. 2007, as reflect.glsl. Domain: unit vectors: w points away from
 //! the surface, h to either side. eta is the index of refraction beyond the surface over
-//! that on the side of w. Beyond total internal reflection direction and Jacobian are 0.
-//! Range: unit vectors to the device's precision. Errors: about 2^-20.
+//! that on the side of w. Beyond total internal reflection, for eta <= 0 and NaN direction
+//! and Jacobian are 0. Range: unit vectors to the device's precision; the largest float
+//! stands for an infinite Jacobian. Errors: about 2^-20.
 //! Mirror: `shaders/corput/native/reflect.glsl`.
 
+use crate::reference::native::disk::native_density;
 use glam::{Vec3, vec3};
 
 /// A direction beyond a microfacet.
@@ -23,7 +25,7 @@ pub fn native_reflect(w: Vec3, h: Vec3) -> NativeBent {
     let cosine = w.dot(h);
     NativeBent {
         direction: h * (2.0 * cosine) - w,
-        jacobian: 0.25 / cosine.abs(),
+        jacobian: native_density(0.25 / cosine.abs()),
     }
 }
 
@@ -41,7 +43,8 @@ pub fn native_refract(w: Vec3, h: Vec3, eta: f32) -> NativeBent {
         w.x * n.y - w.y * n.x,
     );
     let rest = eta * eta - across.dot(across);
-    if eta <= 0.0 || rest <= 0.0 {
+    let bends = eta > 0.0 && rest > 0.0;
+    if !bends {
         return NativeBent {
             direction: vec3(0.0, 0.0, 0.0),
             jacobian: 0.0,
@@ -52,6 +55,6 @@ pub fn native_refract(w: Vec3, h: Vec3, eta: f32) -> NativeBent {
     let direction = (n * along - w) * (1.0 / eta);
     NativeBent {
         direction,
-        jacobian: beyond * eta / (along * along),
+        jacobian: native_density(beyond * eta / (along * along)),
     }
 }

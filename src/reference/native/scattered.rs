@@ -48,6 +48,15 @@ pub fn native_around(radius: f32, phi: u32, z: f32) -> Vec3 {
     vec3(radius * circle.x, radius * circle.y, z)
 }
 
+/// a / b; 0 for b <= 0.
+#[must_use]
+pub fn native_quotient(a: f32, b: f32) -> f32 {
+    if b > 0.0 {
+        return a / b;
+    }
+    0.0
+}
+
 /// The fraction a of 2^32, where b = 1 - a: from the smaller.
 #[must_use]
 pub fn native_fraction_of(a: f32, b: f32) -> u32 {

@@ -103,16 +103,10 @@ pub fn native_spherical_triangle_of(
     let ub = native_direction(b);
     let uc = native_direction(c);
     let cosine = (1.0 + ua.dot(ub) + ub.dot(uc) + uc.dot(ua)) * lengths;
-    let area = if sine > 0.0 && lengths > 0.0 {
-        sine.atan2(cosine)
-    } else {
-        0.0
-    };
-    let rest = if sine > 0.0 && lengths > 0.0 {
-        sine.atan2(-cosine)
-    } else {
-        0.0
-    };
+    // Vertices on each other or opposite have no side between them.
+    let seen = sine > 0.0 && (ab.x * ab.y).min((bc.x * bc.y).min(ca.x * ca.y)) > 0.0;
+    let area = if seen { sine.atan2(cosine) } else { 0.0 };
+    let rest = if seen { sine.atan2(-cosine) } else { 0.0 };
     let ab_normal = native_direction(ab_across);
     let height = sine / (b_length * (ca_across.dot(ca_across)).sqrt()).max(1e-37);
     NativeSphericalTriangle {

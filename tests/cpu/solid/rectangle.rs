@@ -19,6 +19,13 @@ const RECTANGLES: [[f32; 9]; 8] = [
     [-1.0, -2.0, -3.0, 0.0, 3.0, 0.0, 7.0, 0.0, 0.0],
 ];
 
+/// Rectangles far longer than they are near.
+const LONG: [[f32; 9]; 3] = [
+    [0.5, 1.0, 0.0, 0.5, 0.0, -1.0, 0.0, -1e3, 0.0],
+    [0.5, 1.0, 0.0, 0.5, 0.0, -1.0, 0.0, -1e6, 0.0],
+    [-3e4, -2e5, 1.0, 6e4, 0.0, 0.0, 0.0, 2e5, 0.0],
+];
+
 fn prepared(p: [f32; 9]) -> SphericalRectangle {
     let [corner, x, y] = vectors(p);
     spherical_rectangle_prepare(corner, x, y)
@@ -62,7 +69,7 @@ fn extreme_rectangles() {
 
 #[test]
 fn samples_are_those_of_the_judge() {
-    for p in RECTANGLES {
+    for p in RECTANGLES.into_iter().chain(LONG) {
         let (rectangle, sides, size) = (prepared(p), vectors(p).map(doubles), size(p));
         let area = judge::rectangle_solid_angle(sides);
         let mut worst = 0f64;

@@ -37,6 +37,20 @@ const TRIANGLES: [[f32; 9]; 14] = [
     [1.0, 0.0, 1e-5, -1.0, 0.1, 1e-5, -1.0, -0.1, 1e-5],
 ];
 
+/// Vertices nearly opposite to each other, and far from alike in their distance.
+const UNEQUAL: [[f32; 9]; 8] = [
+    [1.0, 2.0, 0.5, 3e4, -1e4, 2e4, -0.01, 0.02, 0.01],
+    [100.0, 1.0, 3.0, -1e-3, 2e-5, -1e-5, 1.0, 50.0, -7.0],
+    [1.0, 0.0, 1e-3, -1e5, 2.0, 30.0, 0.3, 1.0, 0.2],
+    [0.3, 1.0, 0.2, 1.0, 0.0, 1e-3, -1e5, 2.0, 30.0],
+    [-1e5, 2.0, 30.0, 0.3, 1.0, 0.2, 1.0, 0.0, 1e-3],
+    [1.0, 0.2, 0.1, -1e3, -200.0, -100.1, 0.1, 0.2, -0.3],
+    [0.1, 0.2, -0.3, 1.0, 0.2, 0.1, -1e3, -200.0, -100.1],
+    [
+        -0.733, 0.0, 0.468, -960.0, -54.0, -293.0, -7.64e-4, -4.27e-4, 8.9e-5,
+    ],
+];
+
 fn prepared(p: [f32; 9]) -> SphericalTriangle {
     let [a, b, c] = vectors(p);
     spherical_triangle_prepare(a, b, c)
@@ -99,7 +113,7 @@ fn extreme_triangles() {
 
 #[test]
 fn samples_are_those_of_the_judge() {
-    for p in TRIANGLES {
+    for p in TRIANGLES.into_iter().chain(UNEQUAL) {
         let (triangle, vertices, size) = (prepared(p), vertices(p), size(p));
         let mut worst = 0f64;
         for u in random(3000).chain(grid().into_iter().step_by(37)) {
@@ -222,6 +236,8 @@ fn degenerate_triangles_give_what_the_header_says() {
         [1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
         [0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 2.0, 0.0, 1.0],
         [0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0, 1.0, 1.0],
+        // Opposite vertices, whose products are too far apart for 64 bits.
+        [-1e6, 1e-6, 1e-12, 1e6, -1e-6, -1e-12, -1e-12, -1e-7, 0.5],
     ];
     for p in flat {
         let triangle = prepared(p);
