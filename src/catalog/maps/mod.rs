@@ -10,6 +10,7 @@
 mod environment;
 mod hemisphere;
 mod line;
+mod lobe;
 mod mapping;
 mod planar;
 mod scattering;
@@ -30,6 +31,8 @@ pub enum Group {
     Planar,
     /// Uniform directions of solid angles.
     Spherical,
+    /// Powers of the cosine.
+    Lobe,
     /// Free flight, and one normal distribution.
     Line,
     /// Two normal distributions.
@@ -62,6 +65,7 @@ impl Group {
             Self::Beckmann => ["map_beckmann", "map_beckmann_native"],
             Self::Planar => ["map_planar", "map_planar_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
+            Self::Lobe => ["map_lobe", "map_lobe_native"],
             Self::Line => ["map_line", "map_line_native"],
             Self::Normal => ["map_normal", "map_normal_native"],
             Self::Filter => ["map_filter", "map_filter_native"],
@@ -173,6 +177,7 @@ const GROUPS: &[&[Map]] = &[
     hemisphere::MAPS,
     planar::MAPS,
     spherical::MAPS,
+    lobe::MAPS,
     scattering::MAPS,
     line::MAPS,
     environment::MAPS,

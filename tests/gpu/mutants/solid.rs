@@ -28,4 +28,10 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/regular_polygon.glsl", "corput_real_multiply(corput_angle_sine(half_side), cosine));\n    return", "corput_angle_sine(half_side));\n    return"),
     mutant("an annulus without its root", Mismatch, sample("annulus"),
         "corput/annulus.glsl", "corput_real_sqrt(corput_real_add(corput_real_square(i), part))", "corput_real_add(corput_real_square(i), part)"),
+    mutant("the exponent for its successor", Mismatch, sample("cosine-power-hemisphere"),
+        "corput/cosine_power.glsl", "corput_real_complement(u.x)), lobe.next)", "corput_real_complement(u.x)), corput_real_max(lobe.n, corput_real_uint(1u, 0)))"),
+    mutant("a power of the cosine without its norm", Mismatch, Target::Map("cosine-power-hemisphere", task::PDF),
+        "corput/cosine_power.glsl", "corput_real_multiply(lobe.next, CorputReal(2734261102u, -34, false))", "CorputReal(2734261102u, -34, false)"),
+    mutant("the logarithm by z alone", Mismatch, Target::Map("cosine-power-hemisphere", task::INVERT),
+        "corput/cosine_power.glsl", "    if (corput_real_less(versine, corput_real_uint(1u, -2))) {", "    if (corput_real_less(versine, corput_real_zero())) {"),
 ];
