@@ -66,14 +66,23 @@ float corput_spherical_rectangle_solid_angle(CorputSphericalRectangle r) {
     return corput_real_float(corput_real_multiply(r.area, corput_real_uint(3373259426u, -28)));
 }
 
+// 1 over the solid angle, the pdf of every sample; 0 where there is none.
+float corput_spherical_rectangle_density(CorputSphericalRectangle r) {
+    CorputReal density = corput_real_zero();
+    if (r.area.m != 0u) {
+        // 1/(4 pi) to 32 bits.
+        density = corput_real_divide(corput_real_uint(2734261102u, -35), r.area);
+    }
+    return corput_real_float(density);
+}
+
 // 1 over the solid angle inside, else 0.
 float corput_spherical_rectangle_pdf(CorputSphericalRectangle r, vec3 direction) {
     CorputReal3 d = corput_real3(direction);
     if (!corput_spherical_triangle_inside(r.first, d) && !corput_spherical_triangle_inside(r.second, d)) {
         return 0.0;
     }
-    // 1/(4 pi) to 32 bits.
-    return corput_real_float(corput_real_divide(corput_real_uint(2734261102u, -35), r.area));
+    return corput_spherical_rectangle_density(r);
 }
 
 // The fractions that give this direction.

@@ -258,13 +258,22 @@ bool corput_spherical_triangle_inside(CorputSphericalTriangle t, CorputReal3 dir
         && corput_spherical_triangle_side(t.ca_normal, direction, size);
 }
 
+// 1 over the solid angle, the pdf of every sample; 0 where there is none.
+float corput_spherical_triangle_density(CorputSphericalTriangle t) {
+    CorputReal density = corput_real_zero();
+    if (t.area.m != 0u) {
+        // 1/(4 pi) to 32 bits.
+        density = corput_real_divide(corput_real_uint(2734261102u, -35), t.area);
+    }
+    return corput_real_float(density);
+}
+
 // 1 over the solid angle inside, else 0.
 float corput_spherical_triangle_pdf(CorputSphericalTriangle t, vec3 direction) {
     if (!corput_spherical_triangle_inside(t, corput_real3(direction))) {
         return 0.0;
     }
-    // 1/(4 pi) to 32 bits.
-    return corput_real_float(corput_real_divide(corput_real_uint(2734261102u, -35), t.area));
+    return corput_spherical_triangle_density(t);
 }
 
 // Half the solid angle before the moving vertex of a direction, in turns, and what u.y is.

@@ -117,12 +117,12 @@ uvec4 map_sample(uvec3 u) {
     if (MAP == SPHERICAL_TRIANGLE) {
         MAP_STRUCT(SphericalTriangle) seen = triangle();
         vec3 d = MAP_FUNCTION(spherical_triangle)(seen, u.xy);
-        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(spherical_triangle_pdf)(seen, d) : 0.0);
+        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(spherical_triangle_density)(seen) : 0.0);
     }
     if (MAP == SPHERICAL_RECTANGLE) {
         MAP_STRUCT(SphericalRectangle) seen = rectangle();
         vec3 d = MAP_FUNCTION(spherical_rectangle)(seen, u.xy);
-        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(spherical_rectangle_pdf)(seen, d) : 0.0);
+        return words(d, WITH_PDF != 0u ? MAP_FUNCTION(spherical_rectangle_density)(seen) : 0.0);
     }
     if (MAP == SPHERE_LIGHT) {
         MAP_STRUCT(SphereLight) seen = sphere();

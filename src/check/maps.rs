@@ -97,42 +97,17 @@ pub fn examples(map: &'static Map) -> Result<Vec<Mapping>> {
         .collect()
 }
 
-/// Why a device is not asked for a map, if it is not.
-#[must_use]
-pub fn refusal(device: &Device, map: &Map) -> Option<&'static str> {
-    let slow = map
-        .slow
-        .iter()
-        .any(|part| device.info().name.contains(part));
-    slow.then_some("its compiler takes half a minute or more for a kernel this long")
-}
-
-/// A row of a map that is not run.
-pub fn refused(map: &Map, name: &str, reason: &str) -> Row {
-    let mut row = Row::exact(name, map.group.kernel(Profile::Exact));
-    row.mismatches = None;
-    row.verdict = Verdict::Refused(reason.to_owned());
-    row
-}
-
 /// Both profiles of a map.
 pub fn check(device: &Arc<Device>, map: &'static Map) -> Result<Vec<Row>> {
-    if let Some(reason) = refusal(device, map) {
-        return Ok(vec![refused(map, map.name, reason)]);
-    }
     let mapping = examples(map)?;
     let mapper = |profile, task| match mapping.first() {
         Some(first) => Mapper::new(device, first, true, profile, task).map(Some),
         None => Ok(None),
     };
     let mut rows = Vec::new();
-    let prepared = mapping
-        .first()
-        .is_some_and(|first| !first.tables().is_empty() && first.map().group != Group::Environment);
-    if prepared && let Some(mut mapper) = mapper(Profile::Exact, task::PREPARE)? {
-        rows.push(compare_prepared(&mut mapper, map, &mapping)?);
-    }
-    for task in [task::SAMPLE, task::PDF, task::INVERT] {
+    let prepared = mapping.first().is_some_and(Mapping::is_prepared);
+    let tasks = [task::SAMPLE, task::PDF, task::INVERT];
+    for task in tasks.into_iter().chain(prepared.then_some(task::PREPARE)) {
         if let Some(mut mapper) = mapper(Profile::Exact, task)? {
             rows.push(compare_map(&mut mapper, map, &mapping, task)?);
         }
@@ -154,7 +129,7 @@ pub fn compare_map(
     mappings: &[Mapping],
     task: u32,
 ) -> Result<Row> {
-    let suffix = ["", " pdf", " invert"][task.min(2) as usize];
+    let suffix = ["", " pdf", " invert", " prepare"][task.min(3) as usize];
     let mut row = Row::exact(
         &format!("{}{suffix}", map.name),
         map.group.kernel(Profile::Exact),
@@ -166,6 +141,7 @@ pub fn compare_map(
             task::PDF => inverse(mapper, mapping, &mut row, |s| {
                 vec![map_pdf(mapping, Profile::Exact, s)]
             })?,
+            task::PREPARE => prepared(mapper, mapping, &mut row)?,
             _ => inverse(mapper, mapping, &mut row, |s| {
                 let [x, y, z] = map_invert(mapping, Profile::Exact, s);
                 vec![x, y, z, 0]
@@ -175,26 +151,15 @@ pub fn compare_map(
     Ok(row.judged())
 }
 
-/// Compares what a device prepares with what the host does, for these parameter sets.
-///
-/// # Errors
-/// Those of the device.
-pub fn compare_prepared(
-    mapper: &mut Mapper,
-    map: &'static Map,
-    mappings: &[Mapping],
-) -> Result<Row> {
-    let name = format!("{} prepare", map.name);
-    let mut row = Row::exact(&name, map.group.kernel(Profile::Exact));
-    for mapping in mappings {
-        mapper.set(mapping)?;
-        let expected = &mapping.tables()[0];
+/// What a device prepares, against what the host does.
+fn prepared(mapper: &Mapper, mapping: &Mapping, row: &mut Row) -> Result<()> {
+    for expected in mapping.tables() {
         let got = mapper.prepare(expected.len())?;
         row.count(&got == expected, || {
             format!("{:?}: {got:08x?}, not {expected:08x?}", mapping.values())
         });
     }
-    Ok(row.judged())
+    Ok(())
 }
 
 /// The words that a kernel gets for these fractions.

@@ -26,7 +26,7 @@ mod transcendental;
 pub use blue_noise::compare_mask;
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};
-pub use maps::{compare_map, examples, fractions, judge_native, refusal, truth};
+pub use maps::{compare_map, examples, fractions, judge_native, truth};
 pub use native::{NATIVE, NativeRow, compare_native};
 pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
@@ -119,11 +119,7 @@ pub fn run(
         if !wanted(&[&case.name, case.kernel]) {
             continue;
         }
-        let map = case.request.map.as_ref().map(|mapping| mapping.map());
-        match map.and_then(|map| Some((map, maps::refusal(device, map)?))) {
-            Some((map, reason)) => add(maps::refused(map, &case.name, reason)),
-            None => add(points::check(device, &case)?),
-        }
+        add(points::check(device, &case)?);
     }
     for map in crate::catalog::maps() {
         if wanted(&[map.name, map.group.kernel(Profile::Exact)]) {

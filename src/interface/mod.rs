@@ -421,6 +421,8 @@ pub mod map {
     pub const SPHERE_LIGHT: u32 = 36;
     /// Disk, by its area.
     pub const DISK_LIGHT: u32 = 37;
+    /// Power of the cosine.
+    pub const COSINE_POWER_HEMISPHERE: u32 = 38;
 
     /// Henyey and Greenstein's phase function.
     pub const HENYEY_GREENSTEIN: u32 = 64;

@@ -2,6 +2,7 @@
 //! shaders form.
 
 use super::functions::sin_cos;
+use super::negative_log;
 use std::f64::consts::{PI, TAU};
 
 /// A fraction of 2^32.
@@ -47,4 +48,14 @@ pub fn cone_pdf(h: f32, direction: [f64; 3]) -> f64 {
 #[must_use]
 pub fn cone_solid_angle(h: f32) -> f64 {
     4.0 * PI * (f64::from(h) / 2.0)
+}
+
+/// Direction of a cos^n lobe and its pdf, by the polar angle 2 asin(sqrt((1 - z)/2)).
+#[must_use]
+pub fn cosine_power(n: f64, u: [u32; 2]) -> [f64; 4] {
+    let w = -negative_log(u[0]) / (n + 1.0);
+    let theta = 2.0 * (-0.5 * w.exp_m1()).sqrt().asin();
+    let (s, c) = sin_cos(u[1]);
+    let pdf = (n + 1.0) / TAU * (n * w).exp();
+    [theta.sin() * c, theta.sin() * s, w.exp(), pdf]
 }

@@ -30,6 +30,7 @@ pub mod beckmann;
 pub mod bits;
 pub mod blue_noise;
 pub mod cone;
+pub mod cosine_power;
 pub mod discrepancy;
 pub mod discrete;
 pub mod disk;

@@ -11,7 +11,7 @@
 use crate::reference::arc::real3_signed;
 use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_less, real_min, real_multiply, real_negate,
-    real_subtract, real_uint,
+    real_subtract, real_uint, real_zero,
 };
 use crate::reference::real_angle::real_complement;
 use crate::reference::real_vector::{real3, real3_add, real3_dot};
@@ -96,6 +96,18 @@ pub fn spherical_rectangle_solid_angle(r: SphericalRectangle) -> f32 {
     real_float(real_multiply(r.area, real_uint(3_373_259_426, -28)))
 }
 
+/// 1 over the solid angle, the pdf of every sample; 0 where there is none.
+#[inline]
+#[must_use]
+pub fn spherical_rectangle_density(r: SphericalRectangle) -> f32 {
+    let mut density = real_zero();
+    if r.area.m != 0 {
+        // 1/(4 pi) to 32 bits.
+        density = real_divide(real_uint(2_734_261_102, -35), r.area);
+    }
+    real_float(density)
+}
+
 /// 1 over the solid angle inside, else 0.
 #[inline]
 #[must_use]
@@ -104,8 +116,7 @@ pub fn spherical_rectangle_pdf(r: SphericalRectangle, direction: Vec3) -> f32 {
     if !spherical_triangle_inside(r.first, d) && !spherical_triangle_inside(r.second, d) {
         return 0.0;
     }
-    // 1/(4 pi) to 32 bits.
-    real_float(real_divide(real_uint(2_734_261_102, -35), r.area))
+    spherical_rectangle_density(r)
 }
 
 /// The fractions that give this direction.

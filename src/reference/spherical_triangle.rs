@@ -368,6 +368,18 @@ pub fn spherical_triangle_inside(t: SphericalTriangle, direction: Real3) -> bool
         && spherical_triangle_side(t.ca_normal, direction, size)
 }
 
+/// 1 over the solid angle, the pdf of every sample; 0 where there is none.
+#[inline]
+#[must_use]
+pub fn spherical_triangle_density(t: SphericalTriangle) -> f32 {
+    let mut density = real_zero();
+    if t.area.m != 0 {
+        // 1/(4 pi) to 32 bits.
+        density = real_divide(real_uint(2_734_261_102, -35), t.area);
+    }
+    real_float(density)
+}
+
 /// 1 over the solid angle inside, else 0.
 #[inline]
 #[must_use]
@@ -375,8 +387,7 @@ pub fn spherical_triangle_pdf(t: SphericalTriangle, direction: Vec3) -> f32 {
     if !spherical_triangle_inside(t, real3(direction)) {
         return 0.0;
     }
-    // 1/(4 pi) to 32 bits.
-    real_float(real_divide(real_uint(2_734_261_102, -35), t.area))
+    spherical_triangle_density(t)
 }
 
 /// Half the solid angle before the moving vertex of a direction, in turns, and what u.y is.

@@ -8,6 +8,8 @@ mod extreme;
 mod lights;
 #[path = "solid/planar.rs"]
 mod planar;
+#[path = "solid/power.rs"]
+mod power;
 #[path = "solid/rectangle.rs"]
 mod rectangle;
 mod significance;

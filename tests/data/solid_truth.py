@@ -41,6 +41,17 @@ def cone():
             line(row, "cone", [theta_max], [k, 0], "x", sqrt(x * (2 - x)))
 
 
+def cosine_power():
+    for n in ["0", "1", "1e3", "1e6", "1e9"]:
+        power = f32(float(n))
+        for k in [1, 2**16, 2**31, 2**32 - 1]:
+            rest = 1 - mpf(k) / 2**32
+            z = rest ** (1 / (power + 1))
+            name = "cosine-power-hemisphere"
+            line(17, name, [n], [k, 0], "x", sqrt(1 - z * z))
+            line(17, name, [n], [k, 0], "pdf", (power + 1) / (2 * pi) * z**power)
+
+
 def dot(v, w):
     return sum(a * b for a, b in zip(v, w))
 
@@ -195,6 +206,7 @@ def lights():
 
 sphere()
 cone()
+cosine_power()
 triangle()
 rectangle()
 lights()

@@ -55,11 +55,16 @@ float corput_native_spherical_rectangle_solid_angle(CorputNativeSphericalRectang
     return 2.0 * r.area;
 }
 
+// 1 over the solid angle, the pdf of every sample; 0 where there is none.
+float corput_native_spherical_rectangle_density(CorputNativeSphericalRectangle r) {
+    return r.area >= 1e-37 ? 0.5 / r.area : 0.0;
+}
+
 // 1 over the solid angle inside, else 0.
 float corput_native_spherical_rectangle_pdf(CorputNativeSphericalRectangle r, vec3 direction) {
     bool inside = corput_native_spherical_triangle_inside(r.first, direction)
         || corput_native_spherical_triangle_inside(r.second, direction);
-    return inside ? 0.5 / r.area : 0.0;
+    return inside ? corput_native_spherical_rectangle_density(r) : 0.0;
 }
 
 // The fractions that give this direction.

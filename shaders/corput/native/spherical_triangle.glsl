@@ -189,9 +189,14 @@ bool corput_native_spherical_triangle_inside(CorputNativeSphericalTriangle t, ve
         && dot(t.ca_normal, direction) >= slack;
 }
 
+// 1 over the solid angle, the pdf of every sample; 0 where there is none.
+float corput_native_spherical_triangle_density(CorputNativeSphericalTriangle t) {
+    return t.area >= 1e-37 ? 0.5 / t.area : 0.0;
+}
+
 // 1 over the solid angle inside, else 0.
 float corput_native_spherical_triangle_pdf(CorputNativeSphericalTriangle t, vec3 direction) {
-    return corput_native_spherical_triangle_inside(t, direction) ? 0.5 / t.area : 0.0;
+    return corput_native_spherical_triangle_inside(t, direction) ? corput_native_spherical_triangle_density(t) : 0.0;
 }
 
 // Half the solid angle before the moving vertex of a direction, and what u.y is.

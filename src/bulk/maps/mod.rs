@@ -3,6 +3,7 @@
 mod environment;
 mod hemisphere;
 mod line;
+mod lobe;
 mod planar;
 mod scattering;
 mod spherical;
@@ -17,6 +18,7 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
         Group::Hemisphere => hemisphere::sample(profile, id, u),
         Group::Planar => planar::sample(profile, id, p, u),
         Group::Spherical => spherical::sample(mapping, profile, u),
+        Group::Lobe => lobe::sample(profile, p, u),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::sample(mapping, profile, u)
         }
@@ -36,6 +38,7 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
         Group::Hemisphere => hemisphere::pdf(profile, id, s),
         Group::Planar => planar::pdf(profile, id, p, s),
         Group::Spherical => spherical::pdf(mapping, profile, s),
+        Group::Lobe => lobe::pdf(profile, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::pdf(mapping, profile, s)
         }
@@ -56,6 +59,7 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
         Group::Hemisphere => hemisphere::invert(profile, id, s),
         Group::Planar => planar::invert(profile, id, p, s),
         Group::Spherical => spherical::invert(mapping, profile, s),
+        Group::Lobe => lobe::invert(profile, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::invert(mapping, profile, s)
         }

@@ -41,12 +41,12 @@ pub(super) fn sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 
         (Profile::Exact, map::SPHERICAL_TRIANGLE) => {
             let t = prepared(mapping);
             let d = spherical_triangle::spherical_triangle(t, u);
-            words(d, spherical_triangle::spherical_triangle_pdf(t, d))
+            words(d, spherical_triangle::spherical_triangle_density(t))
         }
         (Profile::Exact, map::SPHERICAL_RECTANGLE) => {
             let t = prepared(mapping);
             let d = spherical_rectangle::spherical_rectangle(t, u);
-            words(d, spherical_rectangle::spherical_rectangle_pdf(t, d))
+            words(d, spherical_rectangle::spherical_rectangle_density(t))
         }
         (Profile::Exact, map::SPHERE_LIGHT) => {
             let t = prepared(mapping);
@@ -62,7 +62,7 @@ pub(super) fn sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 
             let d = native_spherical_triangle::native_spherical_triangle(t, u);
             words(
                 d,
-                native_spherical_triangle::native_spherical_triangle_pdf(t, d),
+                native_spherical_triangle::native_spherical_triangle_density(t),
             )
         }
         (Profile::Native, map::SPHERICAL_RECTANGLE) => {
@@ -71,7 +71,7 @@ pub(super) fn sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 
             let d = native_spherical_rectangle::native_spherical_rectangle(t, u);
             words(
                 d,
-                native_spherical_rectangle::native_spherical_rectangle_pdf(t, d),
+                native_spherical_rectangle::native_spherical_rectangle_density(t),
             )
         }
         (Profile::Native, map::SPHERE_LIGHT) => {

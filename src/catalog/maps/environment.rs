@@ -23,7 +23,6 @@ const BASE: Map = Map {
     // z may be a float away besides.
     native: NATIVE_SINE,
     native_pdf: 1e-6,
-    slow: &[],
     tier: Tier::Integer,
     summary: "",
     source: "",

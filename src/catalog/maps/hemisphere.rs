@@ -22,7 +22,6 @@ const BASE: Map = Map {
     pdf_ulp: 1.6,
     native: NATIVE_SINE,
     native_pdf: NATIVE_SINE,
-    slow: &[],
     tier: Tier::Integer,
     summary: "",
     source: "",

@@ -21,7 +21,6 @@ const BASE: Map = Map {
     pdf_ulp: 0.6,
     native: NATIVE_LOG,
     native_pdf: NATIVE_EXP,
-    slow: &[],
     tier: Tier::Integer,
     summary: "",
     source: "",

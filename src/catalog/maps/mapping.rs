@@ -134,6 +134,12 @@ impl Mapping {
         self.parameters.map(f32::to_bits)
     }
 
+    /// Whether its tables are what the host prepares of its parameters.
+    #[must_use]
+    pub fn is_prepared(&self) -> bool {
+        self.map.group != Group::Environment && !self.tables.is_empty()
+    }
+
     /// The tables of its kernel: those of an environment, or what is prepared of its
     /// parameters.
     #[must_use]

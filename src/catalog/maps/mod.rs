@@ -10,6 +10,7 @@
 mod environment;
 mod hemisphere;
 mod line;
+mod lobe;
 mod mapping;
 mod planar;
 mod prepared;
@@ -32,6 +33,8 @@ pub enum Group {
     Planar,
     /// Uniform directions of solid angles.
     Spherical,
+    /// Powers of the cosine.
+    Lobe,
     /// Free flight, and one normal distribution.
     Line,
     /// Two normal distributions.
@@ -64,6 +67,7 @@ impl Group {
             Self::Beckmann => ["map_beckmann", "map_beckmann_native"],
             Self::Planar => ["map_planar", "map_planar_native"],
             Self::Spherical => ["map_spherical", "map_spherical_native"],
+            Self::Lobe => ["map_lobe", "map_lobe_native"],
             Self::Line => ["map_line", "map_line_native"],
             Self::Normal => ["map_normal", "map_normal_native"],
             Self::Filter => ["map_filter", "map_filter_native"],
@@ -137,9 +141,6 @@ pub struct Map {
     pub native: f64,
     /// Worst relative error of the pdf in the native profile.
     pub native_pdf: f64,
-    /// Parts of the names of devices whose compilers take half a minute or more, and
-    /// gigabytes, for its kernels: checks refuse it there, and say so.
-    pub slow: &'static [&'static str],
     /// Where its bits are promised.
     pub tier: Tier,
     /// What it is, in a line.
@@ -175,6 +176,7 @@ const GROUPS: &[&[Map]] = &[
     hemisphere::MAPS,
     planar::MAPS,
     spherical::MAPS,
+    lobe::MAPS,
     scattering::MAPS,
     line::MAPS,
     environment::MAPS,
@@ -184,9 +186,6 @@ const GROUPS: &[&[Map]] = &[
 pub fn maps() -> impl Iterator<Item = &'static Map> {
     GROUPS.iter().flat_map(|group| group.iter())
 }
-
-/// For [`Map::slow`]: the driver whose optimiser is the slowest.
-const SWIFTSHADER: &[&str] = &["SwiftShader"];
 
 /// Takes no parameters.
 fn none(_: &[f64]) -> core::result::Result<[f32; MAP_PARAMETERS], usize> {

@@ -1,6 +1,6 @@
 //! Uniform points of plane figures.
 
-use super::{Group, Map, NATIVE_SINE, Parameter, SWIFTSHADER, none};
+use super::{Group, Map, NATIVE_SINE, Parameter, none};
 use crate::catalog::Tier;
 use crate::interface::{MAP_PARAMETERS, map};
 use crate::reference::triangle::triangle_area;
@@ -23,7 +23,6 @@ const BASE: Map = Map {
     pdf_ulp: 0.6,
     native: 2.0 * NATIVE_SINE,
     native_pdf: 1e-5,
-    slow: &[],
     tier: Tier::Integer,
     summary: "",
     source: "",
@@ -47,7 +46,6 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 1e-4,
         summary: "the triangle of three points of the plane",
         source: "Heitz 2019, with integer barycentric coordinates",
-        slow: &[],
         ..BASE
     },
     Map {

@@ -47,7 +47,6 @@ const BASE: Map = Map {
     // A normal of the unit sphere is right to 2^-20, and shrinking by alpha turns it.
     native: 0.02,
     native_pdf: 0.02,
-    slow: &[],
     tier: Tier::Integer,
     summary: "",
     source: "",

@@ -1,6 +1,6 @@
 //! Uniform directions of solid angles.
 
-use super::{Group, Map, NATIVE_SINE, Parameter, SWIFTSHADER, none};
+use super::{Group, Map, NATIVE_SINE, Parameter, none};
 use crate::catalog::Tier;
 use crate::interface::{MAP_PARAMETERS, map};
 use crate::reference::spherical_rectangle::{
@@ -29,7 +29,6 @@ const BASE: Map = Map {
     pdf_ulp: 0.51,
     native: NATIVE_SINE,
     native_pdf: 1e-5,
-    slow: &[],
     tier: Tier::Integer,
     summary: "",
     source: "",
@@ -87,7 +86,6 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions of a triangle seen from the origin",
         source: "Arvo 1995 and Peters 2021, in sums that do not cancel",
-        slow: &[],
         ..BASE
     },
     Map {
@@ -132,7 +130,6 @@ pub(super) const MAPS: &[Map] = &[
         native_pdf: 2e-3,
         summary: "uniform directions of a rectangle seen from the origin",
         source: "two triangles that share a corner and the diagonal: Peters 2021",
-        slow: &[],
         ..BASE
     },
     Map {

@@ -13,6 +13,10 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
         Group::Hemisphere => Some(hemisphere(id, [u[0], u[1]])),
         Group::Planar => Some(planar(id, mapping.parameters(), [u[0], u[1]])),
         Group::Spherical => spherical(id, mapping.parameters(), [u[0], u[1]]),
+        Group::Lobe => Some(judge::spherical::cosine_power(
+            mapping.parameters()[0].into(),
+            [u[0], u[1]],
+        )),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line(id, mapping.parameters(), [u[0], u[1]])
         }

@@ -244,6 +244,8 @@ const MAPPERS: &[Kernel] = &[
     maps("map_planar_native", "map_planar.comp", MAPPED, Profile::Native),
     maps("map_spherical", "map_spherical.comp", PREPARED, Profile::Integer),
     maps("map_spherical_native", "map_spherical.comp", MAPPED, Profile::Native),
+    maps("map_lobe", "map_lobe.comp", MAPPED, Profile::Integer),
+    maps("map_lobe_native", "map_lobe.comp", MAPPED, Profile::Native),
     maps("map_line", "map_line.comp", MAPPED, Profile::Integer),
     maps("map_line_native", "map_line.comp", MAPPED, Profile::Native),
     maps("map_normal", "map_normal.comp", MAPPED, Profile::Integer),

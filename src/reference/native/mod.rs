@@ -4,6 +4,7 @@
 pub mod annulus;
 pub mod beckmann;
 pub mod cone;
+pub mod cosine_power;
 pub mod disk;
 pub mod disk_light;
 pub mod environment;

@@ -68,12 +68,22 @@ pub fn native_spherical_rectangle_solid_angle(r: NativeSphericalRectangle) -> f3
     2.0 * r.area
 }
 
+/// 1 over the solid angle, the pdf of every sample; 0 where there is none.
+#[must_use]
+pub fn native_spherical_rectangle_density(r: NativeSphericalRectangle) -> f32 {
+    if r.area >= 1e-37 { 0.5 / r.area } else { 0.0 }
+}
+
 /// 1 over the solid angle inside, else 0.
 #[must_use]
 pub fn native_spherical_rectangle_pdf(r: NativeSphericalRectangle, direction: Vec3) -> f32 {
     let inside = native_spherical_triangle_inside(r.first, direction)
         || native_spherical_triangle_inside(r.second, direction);
-    if inside { 0.5 / r.area } else { 0.0 }
+    if inside {
+        native_spherical_rectangle_density(r)
+    } else {
+        0.0
+    }
 }
 
 /// The fractions that give this direction.

@@ -244,11 +244,17 @@ pub fn native_spherical_triangle_inside(t: NativeSphericalTriangle, direction: V
         && t.ca_normal.dot(direction) >= slack
 }
 
+/// 1 over the solid angle, the pdf of every sample; 0 where there is none.
+#[must_use]
+pub fn native_spherical_triangle_density(t: NativeSphericalTriangle) -> f32 {
+    if t.area >= 1e-37 { 0.5 / t.area } else { 0.0 }
+}
+
 /// 1 over the solid angle inside, else 0.
 #[must_use]
 pub fn native_spherical_triangle_pdf(t: NativeSphericalTriangle, direction: Vec3) -> f32 {
     if native_spherical_triangle_inside(t, direction) {
-        0.5 / t.area
+        native_spherical_triangle_density(t)
     } else {
         0.0
     }
