@@ -97,13 +97,13 @@ fn check_finds_no_mismatch() {
         return;
     }
     let desk = Desk::new();
-    let said: Value = serde_json::from_str(&desk.say("check --json --only halton")).unwrap();
+    let said: Value = serde_json::from_str(&desk.say("check --json --only cone")).unwrap();
     assert_eq!(said["failures"], 0);
     let rows = said["rows"].as_array().unwrap();
     assert!(!rows.is_empty());
     for row in rows {
         let [name, kernel] = ["name", "kernel"].map(|key| row[key].as_str().unwrap());
-        assert!(name.contains("halton") || kernel.contains("halton"));
+        assert!(name.contains("cone") || kernel.contains("cone"));
         // The native profile promises bounds, not bits.
         let bits = row["profile"] == "exact";
         let mismatches = if bits { Value::from(0) } else { Value::Null };
