@@ -91,7 +91,9 @@ pub enum Error {
     },
     /// A map that needs another number of dimensions.
     #[error(
-        "map {map} takes {needed} dimensions per point; {given} were given: use --dims {needed}"
+        "map {map} takes {needed} dimension{} per point; {given} {} given: use --dims {needed}",
+        if *needed == 1 { "" } else { "s" },
+        if *given == 1 { "was" } else { "were" }
     )]
     MapDimensions {
         /// The map's name.

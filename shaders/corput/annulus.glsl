@@ -63,7 +63,7 @@ float corput_annulus_pdf(float inner, vec2 p) {
 uvec2 corput_annulus_invert(float inner, vec2 p) {
     CorputReal i = corput_annulus_inner(inner);
     CorputReal part = corput_real_divide(corput_annulus_excess(i, p), corput_annulus_width(i));
-    return uvec2(corput_sphere_fraction(part), corput_atan2(p.y, p.x));
+    return uvec2(corput_real_fraction_nearest(part), corput_atan2(p.y, p.x));
 }
 
 #endif

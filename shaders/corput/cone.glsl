@@ -78,16 +78,16 @@ bool corput_cone_inside(CorputReal h, CorputReal3 direction) {
 uvec2 corput_cone_around_invert(CorputReal h, CorputReal3 direction) {
     CorputReal z = direction.z;
     CorputReal square = corput_real_add(corput_real_square(direction.x), corput_real_square(direction.y));
-    uint turn = corput_sphere_turn(direction.x, direction.y);
+    uint turn = corput_real_turns(direction.y, direction.x);
     if (z.negative) {
         // 1 - u, by the distance to -z.
         CorputReal rest = corput_sphere_versine(square, corput_real_negate(z));
         CorputReal left = corput_real_subtract(rest, corput_real_subtract(corput_real_uint(2u, 0), h));
-        uint fraction = max(corput_sphere_fraction(corput_real_divide(left, h)), 1u);
+        uint fraction = max(corput_real_fraction_nearest(corput_real_divide(left, h)), 1u);
         return uvec2(0u - fraction, turn);
     }
     CorputReal versine = corput_sphere_versine(square, z);
-    return uvec2(corput_sphere_fraction(corput_real_divide(versine, h)), turn);
+    return uvec2(corput_real_fraction_nearest(corput_real_divide(versine, h)), turn);
 }
 
 // Uniform direction of the cone.

@@ -97,16 +97,16 @@ CorputReal corput_ggx_density_of(CorputGgx g, CorputReal s_square, CorputReal n_
         area);
 }
 
-// wo reflected at the normal n of the unit sphere, of squared length n_square, with
-// V.n = cosine, and the pdf D / (2 area).
-CorputScattered corput_ggx_reflected(CorputGgx g, CorputReal3 n, CorputReal n_square, CorputReal cosine) {
-    CorputReal3 s = corput_ggx_stretched(g.alpha_x, g.alpha_y, n);
-    CorputReal s_square = corput_real3_dot(s, s);
+// wo reflected at s = S n for the normal n of the unit sphere, with V.n = cosine.
+CorputReal3 corput_ggx_reflected(CorputGgx g, CorputReal3 s, CorputReal s_square, CorputReal cosine) {
     // 2 (wo.h) h - wo.
     CorputReal scale = corput_real_shift(corput_real_divide(corput_real_multiply(g.stretch, cosine), s_square), 1);
-    CorputReal3 wi = corput_real3_subtract(corput_real3_scale(s, scale), g.wo);
-    CorputReal pdf = corput_ggx_over_area(g, corput_ggx_density_of(g, s_square, n_square));
-    return corput_scattered(wi, corput_real_shift(pdf, -1));
+    return corput_real3_subtract(corput_real3_scale(s, scale), g.wo);
+}
+
+// The pdf D / (2 area) of that direction, for the normal n of squared length n_square.
+CorputReal corput_ggx_reflected_pdf(CorputGgx g, CorputReal s_square, CorputReal n_square) {
+    return corput_real_shift(corput_ggx_over_area(g, corput_ggx_density_of(g, s_square, n_square)), -1);
 }
 
 // The microfacet normal for the normal n of the unit sphere, and its pdf 2 (wo.h) D / area.

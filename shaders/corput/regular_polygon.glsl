@@ -15,7 +15,6 @@
 #ifndef CORPUT_REGULAR_POLYGON_GLSL
 #define CORPUT_REGULAR_POLYGON_GLSL
 
-#include "corput/angle.glsl"
 #include "corput/sphere.glsl"
 
 // Half the angle of a side, in turns.
@@ -25,7 +24,7 @@ CorputReal corput_regular_polygon_half(uint sides) {
 
 // The direction of the middle of a side, as a fraction of 2^32 of a turn.
 uint corput_regular_polygon_middle(uint side, CorputReal half_side) {
-    return corput_sphere_fraction(corput_real_multiply(corput_real_uint(2u * side + 1u, 0), half_side));
+    return corput_real_fraction_nearest(corput_real_multiply(corput_real_uint(2u * side + 1u, 0), half_side));
 }
 
 // Uniform point of the polygon.
@@ -84,7 +83,7 @@ uvec2 corput_regular_polygon_invert(uint sides, vec2 p) {
     part = corput_real_min(corput_real_max(part, corput_real_zero()), one);
     CorputReal whole = corput_real_divide(corput_real_add(local.z, part),
         corput_real_uint(clamp(sides, 3u, 65536u), 0));
-    return uvec2(corput_sphere_fraction(whole), corput_sphere_fraction(corput_real_square(radius)));
+    return uvec2(corput_real_fraction_nearest(whole), corput_real_fraction_nearest(corput_real_square(radius)));
 }
 
 #endif

@@ -16,11 +16,6 @@
 #include "corput/real_angle.glsl"
 #include "corput/real_vector.glsl"
 
-// The fraction of 2^32 nearest to a, from 0 to 2^32 - 1.
-uint corput_sphere_fraction(CorputReal a) {
-    return corput_real_fraction(corput_real_add(a, corput_real_uint(1u, -33)));
-}
-
 // 1 - z of a unit vector, given its x^2 + y^2: z alone has no digits of it near +z.
 CorputReal corput_sphere_versine(CorputReal square, CorputReal z) {
     CorputReal one = corput_real_uint(1u, 0);
@@ -28,19 +23,6 @@ CorputReal corput_sphere_versine(CorputReal square, CorputReal z) {
         return corput_real_subtract(one, z);
     }
     return corput_real_divide(square, corput_real_add(one, z));
-}
-
-// The angle of (x, y) in turns, counter-clockwise from +x, as a fraction of 2^32.
-uint corput_sphere_turn(CorputReal x, CorputReal y) {
-    // Both on the scale of the larger, which floats hold.
-    int e = -32 - max(x.e, y.e);
-    if (x.m == 0u) {
-        e = -32 - y.e;
-    }
-    if (y.m == 0u) {
-        e = -32 - x.e;
-    }
-    return corput_atan2(corput_real_float(corput_real_shift(y, e)), corput_real_float(corput_real_shift(x, e)));
 }
 
 // radius * (cos 2 pi u, sin 2 pi u) and z.
@@ -78,11 +60,11 @@ uvec2 corput_uniform_sphere_invert(vec3 direction) {
     uint turn = corput_atan2(direction.y, direction.x);
     if (z.negative) {
         CorputReal rest = corput_sphere_versine(square, corput_real_negate(z));
-        uint fraction = max(corput_sphere_fraction(corput_real_shift(rest, -1)), 1u);
+        uint fraction = max(corput_real_fraction_nearest(corput_real_shift(rest, -1)), 1u);
         return uvec2(0u - fraction, turn);
     }
     CorputReal versine = corput_sphere_versine(square, z);
-    return uvec2(corput_sphere_fraction(corput_real_shift(versine, -1)), turn);
+    return uvec2(corput_real_fraction_nearest(corput_real_shift(versine, -1)), turn);
 }
 
 #endif

@@ -98,8 +98,8 @@ uvec2 corput_spherical_rectangle_invert(CorputSphericalRectangle r, vec3 directi
     } else {
         parts.cosine = corput_real_add(parts.cosine, r.first.area);
     }
-    return uvec2(corput_sphere_fraction(corput_real_divide(parts.cosine, r.area)),
-        corput_sphere_fraction(parts.sine));
+    return uvec2(corput_real_fraction_nearest(corput_real_divide(parts.cosine, r.area)),
+        corput_real_fraction_nearest(parts.sine));
 }
 
 #endif

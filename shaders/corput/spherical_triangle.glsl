@@ -24,7 +24,6 @@
 #ifndef CORPUT_SPHERICAL_TRIANGLE_GLSL
 #define CORPUT_SPHERICAL_TRIANGLE_GLSL
 
-#include "corput/angle.glsl"
 #include "corput/arc.glsl"
 #include "corput/sphere.glsl"
 
@@ -312,8 +311,8 @@ uvec2 corput_spherical_triangle_invert(CorputSphericalTriangle t, vec3 direction
         return uvec2(0u);
     }
     CorputArc parts = corput_spherical_triangle_parts(t, corput_real3(direction));
-    return uvec2(corput_sphere_fraction(corput_real_divide(parts.cosine, t.area)),
-        corput_sphere_fraction(parts.sine));
+    return uvec2(corput_real_fraction_nearest(corput_real_divide(parts.cosine, t.area)),
+        corput_real_fraction_nearest(parts.sine));
 }
 
 #endif

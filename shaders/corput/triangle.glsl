@@ -89,11 +89,11 @@ uvec2 corput_triangle_invert(vec2 a, vec2 b, vec2 c, vec2 p) {
     CorputReal zero = corput_real_zero();
     CorputReal x = corput_real_max(corput_real_divide(corput_triangle_area(p, b, c), area), zero);
     CorputReal y = corput_real_max(corput_real_divide(corput_triangle_area(p, c, a), area), zero);
-    uint sum = corput_sphere_fraction(corput_real_add(x, y));
+    uint sum = corput_real_fraction_nearest(corput_real_add(x, y));
     if (corput_real_less(x, y)) {
-        return uvec2(corput_sphere_fraction(corput_real_shift(x, 1)), sum);
+        return uvec2(corput_real_fraction_nearest(corput_real_shift(x, 1)), sum);
     }
-    return uvec2(sum, corput_sphere_fraction(corput_real_shift(y, 1)));
+    return uvec2(sum, corput_real_fraction_nearest(corput_real_shift(y, 1)));
 }
 
 #endif

@@ -21,7 +21,8 @@ const ITEMS: u32 = 5;
 /// The words of the kernel's tables.
 static TABLES: LazyLock<Vec<u32>> = LazyLock::new(|| {
     let cdf = (0..ALIAS).map(|i| if i == 0 { 13 } else { (i & 14) << 28 });
-    cdf.chain(alias_table(&[3, 1, 0, 10, 2])).collect()
+    let alias = alias_table(&[3, 1, 0, 10, 2]).expect("positive weights");
+    cdf.chain(alias).collect()
 });
 
 fn counts(a: [u32; 4]) -> [u32; 4] {

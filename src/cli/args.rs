@@ -296,6 +296,9 @@ fn param(text: &str) -> Result<Param, String> {
     let (name, list) = text
         .split_once('=')
         .ok_or_else(|| format!("`{text}` has no value; write NAME=X or NAME=X,Y,Z"))?;
+    if name.is_empty() {
+        return Err(format!("`{text}` has no name; write NAME=X or NAME=X,Y,Z"));
+    }
     let number = |part: &str| {
         let value = part.parse().ok().filter(|value: &f64| value.is_finite());
         value.ok_or_else(|| {

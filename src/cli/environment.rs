@@ -43,7 +43,7 @@ pub fn light(mapping: Mapping, args: &GenerateArgs) -> Result<Mapping> {
         compensated: args.compensated,
     };
     let environment = Environment::new(image.width, image.height, &image.texels, options)?;
-    for warning in warnings(environment.counts()) {
+    for warning in warnings(environment.counts(), args.compensated) {
         eprintln!("corput: warning: {}: {warning}", path.display());
     }
     mapping.with_environment(environment)
@@ -57,8 +57,9 @@ fn weight(name: Option<&str>) -> Result<Weight> {
     }
 }
 
-/// What may disappoint although it is defined, a sentence each.
-fn warnings(counts: &Counts) -> Vec<String> {
+/// What may disappoint although it is defined, a sentence each. That compensation leaves rows
+/// without light is what it is for.
+fn warnings(counts: &Counts, compensated: bool) -> Vec<String> {
     let repairs = counts.repairs;
     let kinds = [
         (repairs.nan, "NaN"),
@@ -74,6 +75,12 @@ fn warnings(counts: &Counts) -> Vec<String> {
             _ => format!("{count} texels have a channel that is {kind}, taken as 0"),
         })
         .collect();
+    if counts.dark_rows > 0 && !counts.black && !compensated {
+        list.push(match counts.dark_rows {
+            1 => "1 row of it is without light, and never drawn".into(),
+            rows => format!("{rows} rows of it are without light, and never drawn"),
+        });
+    }
     if counts.black {
         list.push("it is black: directions are uniform over the sphere".into());
     }

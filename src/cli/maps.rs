@@ -33,9 +33,10 @@ fn text(map: &'static Map) -> String {
     ];
     lines.extend(map.parameters.iter().map(parameter));
     lines.push(format!(
-        "    exact (tier {}): {} ULP, pdf {} ULP; native: {}, pdf {} of itself",
+        "    exact (tier {}): {} ULP{}, pdf {} ULP; native: {}, pdf {} of itself",
         map.tier.letter(),
         map.ulp,
+        map.counted(),
         map.pdf_ulp,
         short(map.native),
         short(map.native_pdf),
@@ -100,6 +101,7 @@ fn document(map: &'static Map) -> Value {
         "tier": map.tier.letter(),
         "profiles": ["exact", "native"],
         "worst_ulp": map.ulp,
+        "worst_ulp_floor": map.floor,
         "worst_ulp_pdf": map.pdf_ulp,
         "native_absolute": map.native,
         "native_pdf_relative": map.native_pdf,

@@ -121,7 +121,7 @@ impl Environment {
             counts.black = true;
             counts.dark = texels.len() as u64;
             counts.dark_rows = height;
-            let words = tables(1, &sphere::caps(1), options.kind, |_, row| row.push(1));
+            let words = tables(1, &sphere::caps(1), options.kind, |_, row| row.push(1))?;
             return Ok(Self {
                 kind: options.kind,
                 width: 1,
@@ -141,7 +141,7 @@ impl Environment {
                 weights.push(weight);
             });
             counts.dark_rows += u32::from(counts.dark - dark == u64::from(width));
-        });
+        })?;
         Ok(Self {
             kind: options.kind,
             width,
@@ -261,7 +261,7 @@ fn tables(
     caps: &[u64],
     kind: Kind,
     mut fill: impl FnMut(usize, &mut Vec<u64>),
-) -> Vec<u32> {
+) -> Result<Vec<u32>> {
     let height = caps.len() - 1;
     let mut words: Vec<u32> = caps[..height]
         .iter()
@@ -282,16 +282,16 @@ fn tables(
                 weights.clear();
                 fill(row, &mut weights);
                 sums.push(weights.iter().sum());
-                words.extend(cdf_table(&weights));
+                words.extend(cdf_table(&weights)?);
             }
-            words[marginal..marginal + height].copy_from_slice(&cdf_table(&sums));
+            words[marginal..marginal + height].copy_from_slice(&cdf_table(&sums)?);
         }
         Kind::Alias => {
             for row in 0..height {
                 fill(row, &mut weights);
             }
-            words.extend(alias_table(&weights));
+            words.extend(alias_table(&weights)?);
         }
     }
-    words
+    Ok(words)
 }

@@ -1,5 +1,6 @@
 //! Integer weights to probabilities over 2^32, and the tables that draw by them.
 
+use crate::{Error, Result};
 use std::cmp::Ordering;
 
 /// Weights that sum to exactly 2^32, in the proportions of the given ones.
@@ -8,20 +9,26 @@ use std::cmp::Ordering;
 /// rest is shared out in proportion and rounded by the largest remainders (Hamilton's
 /// method), so that no share is off by more than 1. All are 0 where all given ones are.
 ///
-/// # Panics
+/// # Errors
 ///
-/// If there are more than 2^31 weights, or they sum to 2^63 or more.
-#[must_use]
-pub fn quantise(weights: &[u64]) -> Vec<u64> {
-    let total: u64 = weights
-        .iter()
-        .try_fold(0u64, |sum, &w| sum.checked_add(w))
-        .filter(|&sum| sum < 1 << 63)
-        .expect("weights that sum to less than 2^63");
+/// [`Error::Arguments`] if there are more than 2^31 weights, or they sum to 2^63 or more.
+pub fn quantise(weights: &[u64]) -> Result<Vec<u64>> {
+    let total: u128 = weights.iter().map(|&w| u128::from(w)).sum();
+    if total >= 1 << 63 {
+        let asked = format!("weights that sum to {total}");
+        return Err(refused(
+            asked,
+            "weights sum to less than 2^63",
+            "scale them",
+        ));
+    }
+    if weights.len() as u64 > 1 << 31 {
+        let asked = format!("{} weights", weights.len());
+        return Err(refused(asked, "there are at most 2^31", "give fewer"));
+    }
     let positive = weights.iter().filter(|&&w| w > 0).count() as u64;
-    assert!(positive <= 1 << 31, "at most 2^31 weights");
     if total == 0 {
-        return vec![0; weights.len()];
+        return Ok(vec![0; weights.len()]);
     }
     let shared = u128::from((1u64 << 32) - positive);
     let mut left = shared as u64;
@@ -29,12 +36,12 @@ pub fn quantise(weights: &[u64]) -> Vec<u64> {
     let mut remainders = Vec::with_capacity(weights.len());
     for (index, &weight) in weights.iter().enumerate() {
         let product = u128::from(weight) * shared;
-        let share = (product / u128::from(total)) as u64;
+        let share = (product / total) as u64;
         left -= share;
         shares.push(share + u64::from(weight > 0));
         if weight > 0 {
             // Largest remainders first, and the first of equal ones.
-            remainders.push((!((product % u128::from(total)) as u64), index as u32));
+            remainders.push((!((product % total) as u64), index as u32));
         }
     }
     let left = left as usize;
@@ -44,22 +51,48 @@ pub fn quantise(weights: &[u64]) -> Vec<u64> {
     for &(_, index) in &remainders[..left] {
         shares[index as usize] += 1;
     }
-    shares
+    Ok(shares)
+}
+
+fn refused(asked: String, limit: &str, remedy: &str) -> Error {
+    Error::Arguments {
+        asked,
+        limit: limit.into(),
+        remedy: remedy.into(),
+    }
+}
+
+/// Refuses weights of which none is positive.
+fn positive(weights: &[u64]) -> Result<()> {
+    if weights.iter().any(|&w| w > 0) {
+        return Ok(());
+    }
+    let asked = format!(
+        "a table of {} weights, none of which is positive",
+        weights.len()
+    );
+    Err(refused(
+        asked,
+        "something must be drawn",
+        "give one a weight",
+    ))
 }
 
 /// The table of `corput_cdf`: how many items there are up to the last of positive weight,
 /// then the sum of the weights before each item but the first.
 ///
-/// # Panics
+/// # Errors
 ///
 /// As [`quantise`], and if there is no weight at all.
-#[must_use]
-pub fn cdf_table(weights: &[u64]) -> Vec<u32> {
-    assert!(!weights.is_empty(), "a distribution of at least one item");
+pub fn cdf_table(weights: &[u64]) -> Result<Vec<u32>> {
+    if weights.is_empty() {
+        let asked = "a table of no weights".to_owned();
+        return Err(refused(asked, "something must be drawn", "give one"));
+    }
     let mut words = Vec::with_capacity(weights.len());
     let mut sum = 0u64;
     let mut count = 0;
-    for (index, share) in quantise(weights).into_iter().enumerate() {
+    for (index, share) in quantise(weights)?.into_iter().enumerate() {
         // What follows the last item of positive weight is never read.
         words.push(sum as u32);
         sum += share;
@@ -68,7 +101,7 @@ pub fn cdf_table(weights: &[u64]) -> Vec<u32> {
         }
     }
     words[0] = count;
-    words
+    Ok(words)
 }
 
 /// The table of `corput_alias_index`: of each item the end of its own part of its bin, in
@@ -79,14 +112,13 @@ pub fn cdf_table(weights: &[u64]) -> Vec<u32> {
 /// built with exactly these sizes, the probabilities are exact for every count. Vose's
 /// method, in integers, leaves nothing over.
 ///
-/// # Panics
+/// # Errors
 ///
 /// As [`quantise`], and if no weight is positive.
-#[must_use]
-pub fn alias_table(weights: &[u64]) -> Vec<u32> {
+pub fn alias_table(weights: &[u64]) -> Result<Vec<u32>> {
+    positive(weights)?;
     let count = weights.len() as u64;
-    let mut left = quantise(weights);
-    assert!(left.iter().any(|&w| w > 0), "a weight that is positive");
+    let mut left = quantise(weights)?;
     let first = |bin: u64| (bin << 32).div_ceil(count);
     let size = |bin: u64| first(bin + 1) - first(bin);
     let mut words = vec![0; 3 * weights.len()];
@@ -119,5 +151,5 @@ pub fn alias_table(weights: &[u64]) -> Vec<u32> {
             Ordering::Greater => {}
         }
     }
-    words
+    Ok(words)
 }

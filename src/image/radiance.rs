@@ -124,6 +124,10 @@ fn size(line: &str) -> Result<(usize, usize), Fault> {
         {
             Ok((width, height))
         }
+        (Some(0), _) | (_, Some(0)) => Err(fault(
+            format!("its size is {width} x {height}: it has no texels"),
+            SAVE_ANEW,
+        )),
         _ => Err(fault(
             format!("its size is {width} x {height}; the limit is {MAX_WIDTH} x {MAX_HEIGHT}"),
             "scale it down",

@@ -12,7 +12,8 @@ use crate::reference::real::{
     Real, real, real_add, real_divide, real_float, real_less, real_max, real_min, real_multiply,
     real_negate, real_shift, real_sqrt, real_square, real_subtract, real_uint, real_zero,
 };
-use crate::reference::sphere::{sphere_direction, sphere_fraction};
+use crate::reference::real_angle::real_fraction_nearest;
+use crate::reference::sphere::sphere_direction;
 use crate::reference::wide::{wide_add, wide_product, wide_real};
 use glam::{UVec2, Vec2, uvec2, vec2};
 
@@ -74,5 +75,5 @@ pub fn annulus_pdf(inner: f32, p: Vec2) -> f32 {
 pub fn annulus_invert(inner: f32, p: Vec2) -> UVec2 {
     let i = annulus_inner(inner);
     let part = real_divide(annulus_excess(i, p), annulus_width(i));
-    uvec2(sphere_fraction(part), atan2(p.y, p.x))
+    uvec2(real_fraction_nearest(part), atan2(p.y, p.x))
 }

@@ -13,8 +13,9 @@ use crate::reference::real::{
     Real, real, real_add, real_divide, real_float, real_less, real_multiply, real_negate,
     real_sqrt, real_square, real_subtract, real_uint, real_wide, real_zero,
 };
+use crate::reference::real_angle::{real_fraction_nearest, real_turns};
 use crate::reference::real_vector::{Real3, real3, real3_floats};
-use crate::reference::sphere::{sphere_direction, sphere_fraction, sphere_turn, sphere_versine};
+use crate::reference::sphere::{sphere_direction, sphere_versine};
 use glam::{UVec2, Vec3, uvec2};
 
 /// h within its domain.
@@ -89,16 +90,16 @@ pub fn cone_inside(h: Real, direction: Real3) -> bool {
 pub fn cone_around_invert(h: Real, direction: Real3) -> UVec2 {
     let z = direction.z;
     let square = real_add(real_square(direction.x), real_square(direction.y));
-    let turn = sphere_turn(direction.x, direction.y);
+    let turn = real_turns(direction.y, direction.x);
     if z.negative {
         // 1 - u, by the distance to -z.
         let rest = sphere_versine(square, real_negate(z));
         let left = real_subtract(rest, real_subtract(real_uint(2, 0), h));
-        let fraction = sphere_fraction(real_divide(left, h)).max(1);
+        let fraction = real_fraction_nearest(real_divide(left, h)).max(1);
         return uvec2(0u32.wrapping_sub(fraction), turn);
     }
     let versine = sphere_versine(square, z);
-    uvec2(sphere_fraction(real_divide(versine, h)), turn)
+    uvec2(real_fraction_nearest(real_divide(versine, h)), turn)
 }
 
 /// Uniform direction of the cone.

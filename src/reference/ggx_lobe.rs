@@ -139,18 +139,20 @@ pub fn ggx_density_of(g: Ggx, s_square: Real, n_square: Real) -> Real {
     )
 }
 
-/// wo reflected at the normal n of the unit sphere, of squared length n_square, with
-/// V.n = cosine, and the pdf D / (2 area).
+/// wo reflected at s = S n for the normal n of the unit sphere, with V.n = cosine.
 #[inline]
 #[must_use]
-pub fn ggx_reflected(g: Ggx, n: Real3, n_square: Real, cosine: Real) -> Scattered {
-    let s = ggx_stretched(g.alpha_x, g.alpha_y, n);
-    let s_square = real3_dot(s, s);
+pub fn ggx_reflected(g: Ggx, s: Real3, s_square: Real, cosine: Real) -> Real3 {
     // 2 (wo.h) h - wo.
     let scale = real_shift(real_divide(real_multiply(g.stretch, cosine), s_square), 1);
-    let wi = real3_subtract(real3_scale(s, scale), g.wo);
-    let pdf = ggx_over_area(g, ggx_density_of(g, s_square, n_square));
-    scattered(wi, real_shift(pdf, -1))
+    real3_subtract(real3_scale(s, scale), g.wo)
+}
+
+/// The pdf D / (2 area) of that direction, for the normal n of squared length n_square.
+#[inline]
+#[must_use]
+pub fn ggx_reflected_pdf(g: Ggx, s_square: Real, n_square: Real) -> Real {
+    real_shift(ggx_over_area(g, ggx_density_of(g, s_square, n_square)), -1)
 }
 
 /// The microfacet normal for the normal n of the unit sphere, and its pdf 2 (wo.h) D / area.

@@ -10,14 +10,15 @@
 //! of +z or -z has T1 = +x. Range: unit vectors to 2^-23; reflected directions may lie
 //! below the horizon. Pdf: with respect to solid angle: of normals 2 (wo.h) D / (wo.z +
 //! |S wo|), of directions a fourth of that over wo.h. Errors: a coordinate half a ULP and
-//! 2^-26, the pdf 0.9 ULP, also at the edges. The inverse agrees with the sample to 2^-20 +
+//! 2^-26, the pdf 0.9 ULP, also at the edges, and both 2^-32 k, k the largest of alpha_x,
+//! alpha_y and 1 over the least. The inverse agrees with the sample to 2^-20 +
 //! 2^-21 / (alpha |wo + wi|), and leads back to the same direction; where rounding took
 //! the normal below the horizon, to the edge. Tier I.
 //! Mirror: `shaders/corput/ggx_vndf.glsl`.
 
-use crate::reference::ggx::ggx_density;
+use crate::reference::ggx::{ggx_density, ggx_stretched};
 use crate::reference::ggx_lobe::{
-    Ggx, ggx_half, ggx_normal, ggx_over_area, ggx_pdf, ggx_reflected,
+    Ggx, ggx_half, ggx_normal, ggx_over_area, ggx_pdf, ggx_reflected, ggx_reflected_pdf,
 };
 use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_multiply, real_negate, real_shift, real_sqrt,
@@ -25,7 +26,7 @@ use crate::reference::real::{
 };
 use crate::reference::real_angle::{real_complement, real_fraction_of, real_turns};
 use crate::reference::real_vector::{Real3, real3, real3_dot, real3_length, real3_normalize};
-use crate::reference::scattered::{Scattered, real3_around};
+use crate::reference::scattered::{Scattered, real3_around, scattered};
 use glam::{UVec2, Vec3, uvec2};
 
 /// A visible normal of the unit sphere.
@@ -129,7 +130,12 @@ pub fn ggx_vndf_visible(g: Ggx, u: UVec2) -> GgxVisible {
 #[must_use]
 pub fn ggx_vndf(g: Ggx, u: UVec2) -> Scattered {
     let v = ggx_vndf_visible(g, u);
-    ggx_reflected(g, v.normal, real_uint(1, 0), v.cosine)
+    let s = ggx_stretched(g.alpha_x, g.alpha_y, v.normal);
+    let s_square = real3_dot(s, s);
+    scattered(
+        ggx_reflected(g, s, s_square, v.cosine),
+        ggx_reflected_pdf(g, s_square, real_uint(1, 0)),
+    )
 }
 
 /// The pdf of a direction.

@@ -23,7 +23,6 @@
     reason = "statements and literals read as in the shaders"
 )]
 
-pub mod angle;
 pub mod annulus;
 pub mod arc;
 pub mod beckmann;

@@ -8,15 +8,14 @@
 //! centre the angle is lost. Tier I.
 //! Mirror: `shaders/corput/regular_polygon.glsl`.
 
-use crate::reference::angle::{angle_cosine, angle_sine};
 use crate::reference::elementary::{atan2, sincos_scaled};
 use crate::reference::fixed::{mul64, mulhi};
 use crate::reference::real::{
     Real, real, real_add, real_divide, real_float, real_less, real_max, real_min, real_multiply,
     real_scaled, real_shift, real_sqrt, real_square, real_subtract, real_uint, real_zero,
 };
+use crate::reference::real_angle::{angle_cosine, angle_sine, real_fraction_nearest};
 use crate::reference::real_vector::Real3;
-use crate::reference::sphere::sphere_fraction;
 use glam::{UVec2, Vec2, uvec2, vec2};
 
 /// Half the angle of a side, in turns.
@@ -30,7 +29,7 @@ pub fn regular_polygon_half(sides: u32) -> Real {
 #[inline]
 #[must_use]
 pub fn regular_polygon_middle(side: u32, half_side: Real) -> u32 {
-    sphere_fraction(real_multiply(real_uint(2 * side + 1, 0), half_side))
+    real_fraction_nearest(real_multiply(real_uint(2 * side + 1, 0), half_side))
 }
 
 /// Uniform point of the polygon.
@@ -106,5 +105,8 @@ pub fn regular_polygon_invert(sides: u32, p: Vec2) -> UVec2 {
         real_add(local.z, part),
         real_uint(sides.clamp(3, 65_536), 0),
     );
-    uvec2(sphere_fraction(whole), sphere_fraction(real_square(radius)))
+    uvec2(
+        real_fraction_nearest(whole),
+        real_fraction_nearest(real_square(radius)),
+    )
 }

@@ -9,19 +9,12 @@
 use crate::reference::elementary::{atan2, sincos_scaled};
 use crate::reference::fixed::mul64;
 use crate::reference::real::{
-    Real, real, real_add, real_divide, real_float, real_fraction, real_less, real_multiply,
-    real_negate, real_scaled, real_shift, real_sqrt, real_square, real_subtract, real_uint,
-    real_wide,
+    Real, real, real_add, real_divide, real_less, real_multiply, real_negate, real_scaled,
+    real_shift, real_sqrt, real_square, real_subtract, real_uint, real_wide,
 };
+use crate::reference::real_angle::real_fraction_nearest;
 use crate::reference::real_vector::{Real3, real3_floats};
 use glam::{UVec2, Vec3, uvec2};
-
-/// The fraction of 2^32 nearest to a, from 0 to 2^32 - 1.
-#[inline]
-#[must_use]
-pub fn sphere_fraction(a: Real) -> u32 {
-    real_fraction(real_add(a, real_uint(1, -33)))
-}
 
 /// 1 - z of a unit vector, given its x^2 + y^2: z alone has no digits of it near +z.
 #[inline]
@@ -32,21 +25,6 @@ pub fn sphere_versine(square: Real, z: Real) -> Real {
         return real_subtract(one, z);
     }
     real_divide(square, real_add(one, z))
-}
-
-/// The angle of (x, y) in turns, counter-clockwise from +x, as a fraction of 2^32.
-#[inline]
-#[must_use]
-pub fn sphere_turn(x: Real, y: Real) -> u32 {
-    // Both on the scale of the larger, which floats hold.
-    let mut e = -32 - x.e.max(y.e);
-    if x.m == 0 {
-        e = -32 - y.e;
-    }
-    if y.m == 0 {
-        e = -32 - x.e;
-    }
-    atan2(real_float(real_shift(y, e)), real_float(real_shift(x, e)))
 }
 
 /// radius * (cos 2 pi u, sin 2 pi u) and z.
@@ -100,9 +78,9 @@ pub fn uniform_sphere_invert(direction: Vec3) -> UVec2 {
     let turn = atan2(direction.y, direction.x);
     if z.negative {
         let rest = sphere_versine(square, real_negate(z));
-        let fraction = sphere_fraction(real_shift(rest, -1)).max(1);
+        let fraction = real_fraction_nearest(real_shift(rest, -1)).max(1);
         return uvec2(0u32.wrapping_sub(fraction), turn);
     }
     let versine = sphere_versine(square, z);
-    uvec2(sphere_fraction(real_shift(versine, -1)), turn)
+    uvec2(real_fraction_nearest(real_shift(versine, -1)), turn)
 }

@@ -13,9 +13,8 @@ use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_less, real_min, real_multiply, real_negate,
     real_subtract, real_uint, real_zero,
 };
-use crate::reference::real_angle::real_complement;
+use crate::reference::real_angle::{real_complement, real_fraction_nearest};
 use crate::reference::real_vector::{real3, real3_add, real3_dot};
-use crate::reference::sphere::sphere_fraction;
 use crate::reference::spherical_triangle::{
     SphericalTriangle, spherical_triangle_at, spherical_triangle_inside, spherical_triangle_of,
     spherical_triangle_parts,
@@ -135,7 +134,7 @@ pub fn spherical_rectangle_invert(r: SphericalRectangle, direction: Vec3) -> UVe
         parts.cosine = real_add(parts.cosine, r.first.area);
     }
     uvec2(
-        sphere_fraction(real_divide(parts.cosine, r.area)),
-        sphere_fraction(parts.sine),
+        real_fraction_nearest(real_divide(parts.cosine, r.area)),
+        real_fraction_nearest(parts.sine),
     )
 }

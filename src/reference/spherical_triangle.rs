@@ -12,19 +12,20 @@
 //! Tier I.
 //! Mirror: `shaders/corput/spherical_triangle.glsl`.
 
-use crate::reference::angle::{angle, angle_cosine, angle_sine_half};
 use crate::reference::arc::{Arc, arc, arc_sum, real3_combine, real3_signed};
 use crate::reference::real::{
     Real, real_add, real_divide, real_float, real_less, real_max, real_min, real_multiply,
     real_negate, real_shift, real_smaller, real_sqrt, real_square, real_subtract, real_uint,
     real_zero,
 };
-use crate::reference::real_angle::real_complement;
+use crate::reference::real_angle::{
+    angle, angle_cosine, angle_sine_half, real_complement, real_fraction_nearest,
+};
 use crate::reference::real_vector::{
     Real3, real3, real3_add, real3_dot, real3_floats, real3_length, real3_normalize, real3_scale,
     real3_subtract,
 };
-use crate::reference::sphere::{sphere_fraction, sphere_versine};
+use crate::reference::sphere::sphere_versine;
 use crate::reference::wide::{wide_cross, wide_triple};
 use glam::{UVec2, Vec3, uvec2, vec3};
 
@@ -444,7 +445,7 @@ pub fn spherical_triangle_invert(t: SphericalTriangle, direction: Vec3) -> UVec2
     }
     let parts = spherical_triangle_parts(t, real3(direction));
     uvec2(
-        sphere_fraction(real_divide(parts.cosine, t.area)),
-        sphere_fraction(parts.sine),
+        real_fraction_nearest(real_divide(parts.cosine, t.area)),
+        real_fraction_nearest(parts.sine),
     )
 }

@@ -12,7 +12,7 @@ use crate::reference::real::{
     Real, real, real_add, real_divide, real_float, real_less, real_max, real_multiply, real_negate,
     real_shift, real_subtract, real_uint, real_zero,
 };
-use crate::reference::sphere::sphere_fraction;
+use crate::reference::real_angle::real_fraction_nearest;
 use crate::reference::wide::{wide_determinant, wide_real};
 use glam::{UVec2, UVec3, Vec2, uvec2, uvec3, vec2};
 
@@ -131,9 +131,9 @@ pub fn triangle_invert(a: Vec2, b: Vec2, c: Vec2, p: Vec2) -> UVec2 {
     let zero = real_zero();
     let x = real_max(real_divide(triangle_area(p, b, c), area), zero);
     let y = real_max(real_divide(triangle_area(p, c, a), area), zero);
-    let sum = sphere_fraction(real_add(x, y));
+    let sum = real_fraction_nearest(real_add(x, y));
     if real_less(x, y) {
-        return uvec2(sphere_fraction(real_shift(x, 1)), sum);
+        return uvec2(real_fraction_nearest(real_shift(x, 1)), sum);
     }
-    uvec2(sum, sphere_fraction(real_shift(y, 1)))
+    uvec2(sum, real_fraction_nearest(real_shift(y, 1)))
 }

@@ -56,7 +56,7 @@ fn probes(ends: impl Iterator<Item = u64>) -> Vec<u32> {
 fn shares_sum_to_2_32_and_keep_what_is_possible() {
     for weights in families() {
         let total: u128 = weights.iter().map(|&w| u128::from(w)).sum();
-        let shares = quantise(&weights);
+        let shares = quantise(&weights).unwrap();
         assert_eq!(shares.iter().sum::<u64>(), ALL);
         let positive = weights.iter().filter(|&&w| w > 0).count() as f64;
         for (&w, &share) in weights.iter().zip(&shares) {
@@ -65,7 +65,20 @@ fn shares_sum_to_2_32_and_keep_what_is_possible() {
             assert!((share as f64 - exact).abs() <= 2.0, "{w}: {share}, {exact}");
         }
     }
-    assert_eq!(quantise(&[0, 0]), [0, 0]);
+    assert_eq!(quantise(&[0, 0]).unwrap(), [0, 0]);
+    let most = (1 << 63) - 1;
+    assert_eq!(quantise(&[most, 0]).unwrap(), [1 << 32, 0]);
+    for (error, words) in [
+        (quantise(&[most, 1]).err(), "sum to less than 2^63"),
+        (quantise(&[u64::MAX; 3]).err(), "scale them"),
+        (cdf_table(&[u64::MAX]).err(), "sum to less than 2^63"),
+        (cdf_table(&[]).err(), "no weights"),
+        (alias_table(&[]).err(), "none of which is positive"),
+        (alias_table(&[0, 0]).err(), "none of which is positive"),
+    ] {
+        let text = error.expect(words).to_string();
+        assert!(text.contains(words), "{text}");
+    }
 }
 
 #[test]
@@ -101,8 +114,8 @@ fn division_is_exact() {
 
 /// Faults of a search of the CDF at each u: the item must hold u, and give it back.
 fn cdf_faults(weights: &[u64], search: impl Fn(&[u32], u32) -> u32) -> usize {
-    let shares = quantise(weights);
-    let words = cdf_table(weights);
+    let shares = quantise(weights).unwrap();
+    let words = cdf_table(weights).unwrap();
     let mut ends = vec![0u64];
     for share in &shares {
         ends.push(ends[ends.len() - 1] + share);
@@ -120,8 +133,8 @@ fn cdf_faults(weights: &[u64], search: impl Fn(&[u32], u32) -> u32) -> usize {
 fn the_cdf_draws_each_item_for_its_weight() {
     for weights in families() {
         assert_eq!(cdf_faults(&weights, |words, u| cdf(0, u, words).index), 0);
-        let shares = quantise(&weights);
-        let words = cdf_table(&weights);
+        let shares = quantise(&weights).unwrap();
+        let words = cdf_table(&weights).unwrap();
         for (index, &share) in (0..).zip(&shares) {
             assert_eq!(weight(cdf_weight(0, index, &words)), share);
         }
@@ -179,8 +192,8 @@ fn alias_counts(words: &[u32]) -> Vec<u64> {
 #[test]
 fn the_alias_table_draws_each_item_for_its_weight() {
     for weights in families() {
-        let shares = quantise(&weights);
-        let words = alias_table(&weights);
+        let shares = quantise(&weights).unwrap();
+        let words = alias_table(&weights).unwrap();
         let count = weights.len() as u32;
         assert_eq!(alias_counts(&words), shares);
         for (index, &share) in (0..).zip(&shares) {
@@ -225,8 +238,11 @@ fn bins_of_unequal_size_are_filled_exactly() {
         shares[0] += left;
         // Every positive weight gets 1, and the rest in proportion: these are the shares.
         let weights: Vec<u64> = shares.iter().map(|s| s.saturating_sub(1)).collect();
-        assert_eq!(quantise(&weights), shares);
-        assert_eq!(alias_counts(&alias_table(&weights)), quantise(&weights));
+        assert_eq!(quantise(&weights).unwrap(), shares);
+        assert_eq!(
+            alias_counts(&alias_table(&weights).unwrap()),
+            quantise(&weights).unwrap()
+        );
     }
 }
 
@@ -234,13 +250,13 @@ fn bins_of_unequal_size_are_filled_exactly() {
 fn a_stride_through_every_u_agrees() {
     for count in [3u64, 7, 12, 255] {
         let weights: Vec<u64> = (0..count).map(|i| u64::from(mix(i as u32) >> 20)).collect();
-        let words = alias_table(&weights);
+        let words = alias_table(&weights).unwrap();
         let step = 251;
         let mut counts = vec![0u64; count as usize];
         for u in (0..ALL).step_by(step) {
             counts[alias_index(0, count as u32, u as u32, &words) as usize] += 1;
         }
-        for (found, share) in counts.iter().zip(quantise(&weights)) {
+        for (found, share) in counts.iter().zip(quantise(&weights).unwrap()) {
             let expected = share as f64 / step as f64;
             // Each end of each part is off by at most one u.
             assert!((*found as f64 - expected).abs() <= 2.0 * count as f64);
@@ -263,7 +279,7 @@ fn the_rest_of_an_alias_bin_is_uniform_for_a_million_bins() {
     // Row 38 of the catalogue: 2^20 bins, where a float remainder keeps 4 bits.
     let count = 1u32 << 20;
     let weights: Vec<u64> = (0..count).map(|i| u64::from(mix(i) >> 12)).collect();
-    let words = alias_table(&weights);
+    let words = alias_table(&weights).unwrap();
     let samples = 1u32 << 18;
     let of = |rest: &dyn Fn(u32) -> f64| distance((0..samples).map(rest).collect());
     let ours = of(&|i| {

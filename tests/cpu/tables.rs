@@ -117,15 +117,11 @@ fn the_page_of_the_maps_is_generated() {
             map.dimensions
         );
         page += &format!("- pdf: {}, with respect to {}\n", map.pdf, map.measure);
-        let counted = if map.floor == 0.0 {
-            String::new()
-        } else {
-            format!(" of coordinates from {} on, and of that below", map.floor)
-        };
         page += &format!(
-            "- errors: exact (tier {}) {} ULP{counted}, pdf {} ULP; native {:.1e}, pdf {:.1e} of itself\n",
+            "- errors: exact (tier {}) {} ULP{}, pdf {} ULP; native {:.1e}, pdf {:.1e} of itself\n",
             map.tier.letter(),
             map.ulp,
+            map.counted(),
             map.pdf_ulp,
             map.native,
             map.native_pdf

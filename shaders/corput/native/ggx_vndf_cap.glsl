@@ -27,7 +27,10 @@ vec3 corput_native_ggx_cap_sum(CorputNativeGgx g, uvec2 u) {
 CorputNativeScattered corput_native_ggx_vndf_cap(CorputNativeGgx g, uvec2 u) {
     vec3 n = corput_native_ggx_cap_sum(g, u);
     float square = dot(n, n);
-    return corput_native_ggx_reflected(g, n, square, 0.5 * square);
+    CorputNativeScattered made = corput_native_ggx_reflected(g, n, square, 0.5 * square);
+    // Of a small n half its square is not V.n to all its digits.
+    float size = sqrt(dot(made.direction, made.direction));
+    return CorputNativeScattered(made.direction * corput_native_quotient(1.0, size), made.pdf);
 }
 
 // The pdf of a direction.

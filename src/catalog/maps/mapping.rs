@@ -167,7 +167,8 @@ fn value<'a>(
     match (found, parameter.default) {
         (Some((_, numbers)), _) if numbers.len() == parameter.size => Ok(numbers),
         (Some((_, numbers)), _) => {
-            let was = format!("is {} numbers", numbers.len());
+            let plural = if numbers.len() == 1 { "" } else { "s" };
+            let was = format!("is {} number{plural}", numbers.len());
             let limit = format!("it takes {}: {}", parameter.size, parameter.domain);
             Err(refused(map, parameter.name, &was, &limit))
         }
@@ -181,9 +182,13 @@ fn value<'a>(
     }
 }
 
-/// Numbers as the command line takes them.
+/// Numbers as the command line takes them, those with many zeros by their exponent.
 fn listed<'a>(numbers: impl Iterator<Item = &'a f64>) -> String {
-    numbers.map(f64::to_string).collect::<Vec<_>>().join(",")
+    let short = |x: &f64| match x.abs() {
+        0.0 | 1e-6..1e10 => x.to_string(),
+        _ => format!("{x:e}"),
+    };
+    numbers.map(short).collect::<Vec<_>>().join(",")
 }
 
 fn refused(map: &Map, name: &str, problem: &str, domain: &str) -> Error {

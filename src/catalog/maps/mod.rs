@@ -150,6 +150,16 @@ pub struct Map {
 }
 
 impl Map {
+    /// How a coordinate's error is counted, as the end of a phrase: empty, or with
+    /// [`floor`](Self::floor).
+    #[must_use]
+    pub fn counted(&self) -> String {
+        if self.floor == 0.0 {
+            return String::new();
+        }
+        format!(" of coordinates from {} on, and of that below", self.floor)
+    }
+
     /// The map with this name.
     ///
     /// # Errors

@@ -32,7 +32,13 @@ pub fn native_ggx_cap_sum(g: NativeGgx, u: UVec2) -> Vec3 {
 pub fn native_ggx_vndf_cap(g: NativeGgx, u: UVec2) -> NativeScattered {
     let n = native_ggx_cap_sum(g, u);
     let square = n.dot(n);
-    native_ggx_reflected(g, n, square, 0.5 * square)
+    let made = native_ggx_reflected(g, n, square, 0.5 * square);
+    // Of a small n half its square is not V.n to all its digits.
+    let size = made.direction.dot(made.direction).sqrt();
+    NativeScattered {
+        direction: made.direction * native_quotient(1.0, size),
+        pdf: made.pdf,
+    }
 }
 
 /// The pdf of a direction.

@@ -126,7 +126,7 @@ fn what_is_no_such_picture_is_refused() {
     );
     tell("#?RADIANCE\n\n+X 301 -Y 7\n", &["run +X and -Y"]);
     tell("#?RADIANCE\n\n+Y 7 +X 301\n", &["run +Y and +X"]);
-    tell("#?RADIANCE\n\n-Y 0 +X 301\n", &["0", "8192 x 4096"]);
+    tell("#?RADIANCE\n\n-Y 0 +X 301\n", &["301 x 0", "no texels"]);
     tell(
         "#?RADIANCE\n\n-Y 4097 +X 301\n",
         &["301 x 4097", "8192 x 4096"],

@@ -53,6 +53,16 @@ fn weights_and_compensation_change_what_is_drawn() {
     );
     run.expect(0, &[]);
     assert!(run.stderr.contains("it is black"), "{}", run.stderr);
+    std::fs::write(
+        desk.path("r.hdr"),
+        b"#?RADIANCE\n\n-Y 2 +X 1\n\x80\x80\x80\x80\0\0\0\0",
+    )
+    .unwrap();
+    let run = desk.run(
+        "generate sobol --count 4 --dims 2 --map environment --env r.hdr --device cpu --out r.npy",
+    );
+    run.expect(0, &[]);
+    assert!(run.stderr.contains("1 row of it"), "{}", run.stderr);
 }
 
 #[test]

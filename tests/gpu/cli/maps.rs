@@ -75,7 +75,13 @@ fn the_list_says_all_of_every_map() {
             "{}",
             map.name
         );
-        for phrase in [map.summary, map.pdf, map.measure, map.source] {
+        for phrase in [
+            map.summary,
+            map.pdf,
+            map.measure,
+            map.source,
+            &map.counted(),
+        ] {
             let phrase = phrase.split_whitespace().collect::<Vec<_>>().join(" ");
             assert!(words.contains(&phrase), "{}: no `{phrase}`", map.name);
         }
@@ -132,6 +138,19 @@ fn parameters_outside_their_domain_are_refused() {
             &["`inf` is no finite number"],
         ),
         ("--map cone --param theta_max", &["has no value", "NAME=X"]),
+        ("--map cone --param =1", &["has no name", "NAME=X"]),
+        (
+            "--map cone --param theta_max=1e-300",
+            &["theta_max is 1e-300;"],
+        ),
+        (
+            "--map disk-light --param center=1",
+            &["is 1 number;", "it takes 3"],
+        ),
+        (
+            "--map exponential",
+            &["takes 1 dimension per point", "2 were given", "--dims 1"],
+        ),
         (
             "--map cone --param theta=1",
             &["unknown parameter `theta`", "did you mean `theta_max`"],
