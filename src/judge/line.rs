@@ -88,3 +88,37 @@ pub fn filter_gaussian(radius: f64, sigma: f64, u: u32) -> [f64; 2] {
     let z = 0.5 * (low + high);
     [side * z * sigma, normal_density(z) / (2.0 * sigma * mass)]
 }
+
+/// The 4-term window of Blackman and Harris, its distance from the middle or from the edge
+/// by bisection of the integral of its cosines.
+#[must_use]
+pub fn filter_blackman_harris(radius: f64, u: u32) -> [f64; 2] {
+    const A: [f64; 4] = [0.35875, 0.48829, 0.14128, 0.01168];
+    let (side, share) = half(u);
+    // Seen from the edge, the odd cosines change their sign.
+    let edge = share > 0.9;
+    let terms = |x: f64, f: &dyn Fn(f64, f64) -> f64| -> f64 {
+        let signs = if edge { [-1.0, 1.0, -1.0] } else { [1.0; 3] };
+        (1..4)
+            .map(|k| signs[k - 1] * A[k] / A[0] * f(k as f64 * PI, x))
+            .sum()
+    };
+    let mass = |x: f64| x + terms(x, &|k, x| (k * x).sin() / k);
+    let target = if edge { 1.0 - share } else { share };
+    let (mut low, mut high) = (0.0, 1.0);
+    while high - low > 1e-16 * high {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if mass(middle) < target {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let x = 0.5 * (low + high);
+    let distance = if edge { 1.0 - x } else { x };
+    let density = 1.0 + terms(x, &|k, x| (k * x).cos());
+    [side * distance * radius, density / (2.0 * radius)]
+}

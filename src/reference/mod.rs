@@ -45,6 +45,7 @@ pub mod environment;
 pub mod envmap;
 pub mod exponential;
 pub mod filter;
+pub mod filter_blackman_harris;
 pub mod fixed;
 pub mod frame;
 pub mod free_flight;

@@ -1,6 +1,7 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
 mod environment;
+mod filter;
 mod hemisphere;
 mod line;
 mod lobe;
@@ -19,6 +20,7 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
         Group::Planar => planar::sample(profile, id, p, u),
         Group::Spherical => spherical::sample(profile, id, p, u),
         Group::Lobe => lobe::sample(profile, p, u),
+        Group::WindowFilter => filter::sample(profile, p, u),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::sample(profile, id, p, u)
         }
@@ -39,6 +41,7 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
         Group::Planar => planar::pdf(profile, id, p, s),
         Group::Spherical => spherical::pdf(profile, id, p, s),
         Group::Lobe => lobe::pdf(profile, p, s),
+        Group::WindowFilter => filter::pdf(profile, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::pdf(profile, id, p, s)
         }
@@ -60,6 +63,7 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
         Group::Planar => planar::invert(profile, id, p, s),
         Group::Spherical => spherical::invert(profile, id, p, s),
         Group::Lobe => lobe::invert(profile, p, s),
+        Group::WindowFilter => filter::invert(profile, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::invert(profile, id, p, s)
         }

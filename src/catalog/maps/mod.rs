@@ -8,6 +8,7 @@
 //! `check/maps/truth.rs` calls. Then `generate`, `maps` and `check` know it.
 
 mod environment;
+mod filter;
 mod hemisphere;
 mod line;
 mod lobe;
@@ -41,6 +42,8 @@ pub enum Group {
     Filter,
     /// The truncated Gaussian as a pixel filter.
     GaussianFilter,
+    /// The window of Blackman and Harris as a pixel filter.
+    WindowFilter,
     /// Environment maps.
     Environment,
     /// Phase functions.
@@ -70,6 +73,7 @@ impl Group {
             Self::Normal => ["map_normal", "map_normal_native"],
             Self::Filter => ["map_filter", "map_filter_native"],
             Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
+            Self::WindowFilter => ["map_filter_window", "map_filter_window_native"],
             Self::Environment => ["map_environment", "map_environment_native"],
         };
         match profile {
@@ -180,6 +184,7 @@ const GROUPS: &[&[Map]] = &[
     lobe::MAPS,
     scattering::MAPS,
     line::MAPS,
+    filter::MAPS,
     environment::MAPS,
 ];
 

@@ -33,4 +33,10 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/filter.glsl", "corput_real_multiply(f.sigma, corput_real_shift(f.mass, 1))", "f.sigma"),
     mutant("nothing beyond the edge", Mismatch, Map("filter-gaussian", SAMPLE),
         "corput/filter.glsl", "corput_real_add(f.tail, rest)", "rest"),
+    mutant("four steps less of Newton's method", Mismatch, Map("filter-blackman-harris", SAMPLE),
+        "corput/filter_blackman_harris.glsl", "i < 5u", "i < 1u"),
+    mutant("the edge's mass from the middle", Mismatch, Map("filter-blackman-harris", INVERT),
+        "corput/filter_blackman_harris.glsl", "corput_real_subtract(corput_real_uint(1u, 0), share)", "share"),
+    mutant("a window over its radius alone", Mismatch, Map("filter-blackman-harris", PDF),
+        "corput/filter_blackman_harris.glsl", "corput_real_uint(1u, -2);\n    for (uint i = 0u; i < 2u; i++) {\n        density", "corput_real_uint(1u, 0);\n    for (uint i = 0u; i < 2u; i++) {\n        density"),
 ];
