@@ -19,6 +19,12 @@ fn cases() -> Vec<Mapping> {
     vec![
         mapping("filter-blackman-harris", &[2.0]),
         mapping("filter-blackman-harris", &[0.37]),
+        mapping("filter-mitchell", &[2.0, 1.0 / 3.0, 1.0 / 3.0]),
+        mapping("filter-mitchell", &[2.0, 0.0, 0.5]),
+        mapping("filter-mitchell", &[0.37, 1.0, 0.0]),
+        mapping("filter-mitchell", &[1.0, 1.0, 1.0]),
+        mapping("filter-mitchell", &[1.0, 0.0, 0.0]),
+        mapping("filter-mitchell", &[1.0, 0.2, 1e-3]),
     ]
 }
 
@@ -80,7 +86,7 @@ fn pdfs_integrate_to_one_and_end_at_the_radius() {
         for (x, y) in [(out, 0.0), (0.0, -out), (out, out), (-2.0 * radius, 0.0)] {
             assert_eq!(pdf(&mapping, x, y), 0.0, "{mapping:?}");
         }
-        assert!(pdf(&mapping, -0.99 * radius, 0.99 * radius) > 0.0);
+        assert!(pdf(&mapping, -0.49 * radius, 0.49 * radius) > 0.0);
     }
 }
 
@@ -219,5 +225,125 @@ mod window {
         }
         println!("{naive:e} {ours:e}");
         assert!(ours < 4e-8 && naive > 1e-4, "{naive:e} {ours:e}");
+    }
+}
+
+mod signed {
+    use super::fractions;
+    use corput::glam::{uvec2, vec2};
+    use corput::judge::line::{mitchell, mitchell_shares};
+    use corput::reference::filter_mitchell::*;
+    use corput::reference::native::filter_mitchell::*;
+    use corput::reference::permute::permute_mix as mix;
+
+    const PARAMETERS: [[f32; 2]; 7] = [
+        [0.333_333_34, 0.333_333_34],
+        [0.0, 0.5],
+        [1.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+        [0.2, 1e-3],
+        [0.9, 0.05],
+    ];
+
+    /// The parts of one side are right to 2^-31, and even.
+    #[test]
+    fn shares_are_those_of_the_judge() {
+        let each =
+            (0..4000).map(|i| [mix(2 * i), mix(2 * i + 1)].map(|u| u as f32 * 2f32.powi(-32)));
+        for [b, c] in PARAMETERS.into_iter().chain(each) {
+            let f = filter_mitchell_prepare(1.0, b, c);
+            let [tail, lobe, total] = mitchell_shares(b.into(), c.into());
+            for (got, truth) in [(f.tail, tail), (f.lobe, lobe)] {
+                let away = f64::from(got) - truth * 4_294_967_296.0;
+                assert!(away.abs() <= 2.0 && got % 2 == 0, "{b} {c}: {away}");
+            }
+            let weight = f64::from(filter_mitchell_weight(f, vec2(0.0, 0.0)));
+            let truth = 4.0 * total * total;
+            assert!(
+                (weight / truth - 1.0).abs() < 1e-7,
+                "{b} {c}: {weight} {truth}"
+            );
+        }
+    }
+
+    /// The pdf times the weight is the filter, whose integral is 1.
+    #[test]
+    fn weights_make_the_filter_of_the_pdf() {
+        for [b, c] in PARAMETERS {
+            let f = filter_mitchell_prepare(1.5, b, c);
+            let native = native_filter_mitchell_prepare(1.5, b, c);
+            let value = |x: f32| mitchell(b.into(), c.into(), f64::from(x) / 0.75) / 0.75;
+            let (mut mean, mut count) = (0.0, 0.0);
+            for u in fractions() {
+                let p = filter_mitchell(f, uvec2(u[0], u[1])).p;
+                let weight = f64::from(filter_mitchell_weight(f, p));
+                let made = f64::from(filter_mitchell_pdf(f, p)) * weight;
+                let truth = value(p.x) * value(p.y);
+                assert!((made - truth).abs() < 1e-6, "{b} {c} {p}: {made} {truth}");
+                let other = f64::from(native_filter_mitchell_weight(native, p));
+                // Next to the change of sign either is right.
+                assert!(
+                    (other - weight).abs() < 1e-6 || truth.abs() < 1e-5,
+                    "{b} {c} {p}"
+                );
+            }
+            for i in 0..1u32 << 16 {
+                let u = uvec2((i << 16) | 0x8000, (i.wrapping_mul(40_503) << 16) | 0x8000);
+                mean += f64::from(filter_mitchell_weight(f, filter_mitchell(f, u).p));
+                count += 1.0;
+            }
+            assert!(
+                (mean / count - 1.0).abs() < 2e-3,
+                "{b} {c}: {}",
+                mean / count
+            );
+        }
+        let f = filter_mitchell_prepare(1.0, 0.0, 0.5);
+        assert!(filter_mitchell_weight(f, vec2(0.75, 0.0)) < 0.0);
+        assert_eq!(filter_mitchell_weight(f, vec2(1.1, 0.0)), 0.0);
+    }
+
+    #[test]
+    fn degenerate_parameters_give_what_the_headers_say() {
+        let u = uvec2(0x1234_5678, 0x9abc_def0);
+        let bad = [0.0, -0.0, -1.0, f32::NEG_INFINITY, f32::from_bits(1)];
+        let odd = [
+            f32::INFINITY,
+            f32::NAN,
+            f32::MAX,
+            f32::MIN_POSITIVE,
+            1.0,
+            1e-20,
+        ];
+        for r in bad {
+            let f = filter_mitchell_prepare(r, 0.3, 0.4);
+            assert_eq!(filter_mitchell(f, u).p, vec2(0.0, 0.0), "{r}");
+        }
+        assert_eq!(
+            filter_mitchell_prepare(1.0, -1.0, 7.0),
+            filter_mitchell_prepare(1.0, 0.0, 1.0)
+        );
+        for r in bad.into_iter().chain(odd) {
+            for b in bad.into_iter().chain(odd) {
+                for c in bad.into_iter().chain(odd) {
+                    let f = filter_mitchell_prepare(r, b, c);
+                    for u in [u, uvec2(0, u32::MAX), uvec2(1 << 31, 1)] {
+                        let made = filter_mitchell(f, u);
+                        assert!(
+                            made.p.is_finite() && made.pdf.is_finite(),
+                            "{r} {b} {c} {made:?}"
+                        );
+                        let _ = native_filter_mitchell(native_filter_mitchell_prepare(r, b, c), u);
+                    }
+                    for x in bad.into_iter().chain(odd) {
+                        let p = vec2(x, -x);
+                        assert!(filter_mitchell_pdf(f, p).is_finite(), "{r} {b} {c} {x}");
+                        assert!(filter_mitchell_weight(f, p).is_finite(), "{r} {b} {c} {x}");
+                        let _ = filter_mitchell_invert(f, p);
+                    }
+                }
+            }
+        }
     }
 }

@@ -5,6 +5,7 @@ mod filter;
 mod hemisphere;
 mod line;
 mod lobe;
+mod mitchell;
 mod planar;
 mod scattering;
 mod spherical;
@@ -21,6 +22,7 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
         Group::Spherical => spherical::sample(profile, id, p, u),
         Group::Lobe => lobe::sample(profile, p, u),
         Group::WindowFilter => filter::sample(profile, p, u),
+        Group::MitchellFilter => mitchell::sample(profile, p, u),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::sample(profile, id, p, u)
         }
@@ -42,6 +44,7 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
         Group::Spherical => spherical::pdf(profile, id, p, s),
         Group::Lobe => lobe::pdf(profile, p, s),
         Group::WindowFilter => filter::pdf(profile, p, s),
+        Group::MitchellFilter => mitchell::pdf(profile, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::pdf(profile, id, p, s)
         }
@@ -64,6 +67,7 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
         Group::Spherical => spherical::invert(profile, id, p, s),
         Group::Lobe => lobe::invert(profile, p, s),
         Group::WindowFilter => filter::invert(profile, p, s),
+        Group::MitchellFilter => mitchell::invert(profile, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::invert(profile, id, p, s)
         }

@@ -44,6 +44,8 @@ pub enum Group {
     GaussianFilter,
     /// The window of Blackman and Harris as a pixel filter.
     WindowFilter,
+    /// The filter of Mitchell and Netravali.
+    MitchellFilter,
     /// Environment maps.
     Environment,
     /// Phase functions.
@@ -74,6 +76,7 @@ impl Group {
             Self::Filter => ["map_filter", "map_filter_native"],
             Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
             Self::WindowFilter => ["map_filter_window", "map_filter_window_native"],
+            Self::MitchellFilter => ["map_filter_mitchell", "map_filter_mitchell_native"],
             Self::Environment => ["map_environment", "map_environment_native"],
         };
         match profile {

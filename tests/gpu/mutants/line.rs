@@ -39,4 +39,10 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/filter_blackman_harris.glsl", "corput_real_subtract(corput_real_uint(1u, 0), share)", "share"),
     mutant("a window over its radius alone", Mismatch, Map("filter-blackman-harris", PDF),
         "corput/filter_blackman_harris.glsl", "corput_real_uint(1u, -2);\n    for (uint i = 0u; i < 2u; i++) {\n        density", "corput_real_uint(1u, 0);\n    for (uint i = 0u; i < 2u; i++) {\n        density"),
+    mutant("a lobe of the other sign of its cube", Mismatch, Map("filter-mitchell", SAMPLE),
+        "corput/filter_mitchell.glsl", "    if (part == 3u) {\n        c3 = corput_real_negate(c3);", "    if (part == 3u) {\n        c3 = c3;"),
+    mutant("the filter for its magnitude", Mismatch, Map("filter-mitchell", SAMPLE),
+        "corput/filter_mitchell.glsl", "corput_real_add(corput_real_uint(3u, 0), corput_real_shift(lobe, 1))", "corput_real_uint(3u, 0)"),
+    mutant("the lobe from the centre", Mismatch, Map("filter-mitchell", INVERT),
+        "corput/filter_mitchell.glsl", "        if (at.part == 3u) {\n            share = corput_real_negate(share);", "        if (at.part == 5u) {\n            share = corput_real_negate(share);"),
 ];
