@@ -453,6 +453,10 @@ pub mod map {
     pub const FILTER_TENT: u32 = 101;
     /// Pixel filter: truncated Gaussian.
     pub const FILTER_GAUSSIAN: u32 = 102;
+    /// Pixel filter: the window of Blackman and Harris.
+    pub const FILTER_BLACKMAN_HARRIS: u32 = 103;
+    /// Pixel filter: the magnitude of Mitchell and Netravali's.
+    pub const FILTER_MITCHELL: u32 = 104;
     /// Environment map, hierarchical.
     pub const ENVIRONMENT: u32 = 128;
     /// Environment map, by an alias table.

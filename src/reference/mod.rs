@@ -44,6 +44,8 @@ pub mod environment;
 pub mod envmap;
 pub mod exponential;
 pub mod filter;
+pub mod filter_blackman_harris;
+pub mod filter_mitchell;
 pub mod fixed;
 pub mod frame;
 pub mod free_flight;

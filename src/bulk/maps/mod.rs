@@ -1,9 +1,11 @@
 //! The maps over the reference: sample, pdf and inverse, as the map kernels have them.
 
 mod environment;
+mod filter;
 mod hemisphere;
 mod line;
 mod lobe;
+mod mitchell;
 mod planar;
 mod scattering;
 mod spherical;
@@ -19,6 +21,8 @@ pub fn map_sample(mapping: &Mapping, profile: Profile, u: [u32; 3]) -> [u32; 4] 
         Group::Planar => planar::sample(profile, id, p, u),
         Group::Spherical => spherical::sample(mapping, profile, u),
         Group::Lobe => lobe::sample(profile, p, u),
+        Group::WindowFilter => filter::sample(profile, p, u),
+        Group::MitchellFilter => mitchell::sample(profile, p, u),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::sample(mapping, profile, u)
         }
@@ -39,6 +43,8 @@ pub fn map_pdf(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> u32 {
         Group::Planar => planar::pdf(profile, id, p, s),
         Group::Spherical => spherical::pdf(mapping, profile, s),
         Group::Lobe => lobe::pdf(profile, p, s),
+        Group::WindowFilter => filter::pdf(profile, p, s),
+        Group::MitchellFilter => mitchell::pdf(profile, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::pdf(mapping, profile, s)
         }
@@ -60,6 +66,8 @@ pub fn map_invert(mapping: &Mapping, profile: Profile, s: [u32; 3]) -> [u32; 3] 
         Group::Planar => planar::invert(profile, id, p, s),
         Group::Spherical => spherical::invert(mapping, profile, s),
         Group::Lobe => lobe::invert(profile, p, s),
+        Group::WindowFilter => filter::invert(profile, p, s),
+        Group::MitchellFilter => mitchell::invert(profile, p, s),
         Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
             line::invert(mapping, profile, s)
         }

@@ -8,6 +8,7 @@
 //! `check/maps/truth.rs` calls. What takes long to prepare is in [`Words`]. Then `generate`, `maps` and `check` know it.
 
 mod environment;
+mod filter;
 mod hemisphere;
 mod line;
 mod lobe;
@@ -43,6 +44,10 @@ pub enum Group {
     Filter,
     /// The truncated Gaussian as a pixel filter.
     GaussianFilter,
+    /// The window of Blackman and Harris as a pixel filter.
+    WindowFilter,
+    /// The filter of Mitchell and Netravali.
+    MitchellFilter,
     /// Environment maps.
     Environment,
     /// Phase functions.
@@ -72,6 +77,8 @@ impl Group {
             Self::Normal => ["map_normal", "map_normal_native"],
             Self::Filter => ["map_filter", "map_filter_native"],
             Self::GaussianFilter => ["map_filter_gaussian", "map_filter_gaussian_native"],
+            Self::WindowFilter => ["map_filter_window", "map_filter_window_native"],
+            Self::MitchellFilter => ["map_filter_mitchell", "map_filter_mitchell_native"],
             Self::Environment => ["map_environment", "map_environment_native"],
         };
         match profile {
@@ -189,6 +196,7 @@ const GROUPS: &[&[Map]] = &[
     lobe::MAPS,
     scattering::MAPS,
     line::MAPS,
+    filter::MAPS,
     environment::MAPS,
 ];
 

@@ -17,9 +17,12 @@ pub fn truth(mapping: &Mapping, u: [u32; 3]) -> Option<[f64; 4]> {
             mapping.parameters()[0].into(),
             [u[0], u[1]],
         )),
-        Group::Line | Group::Normal | Group::Filter | Group::GaussianFilter => {
-            line(id, mapping.parameters(), [u[0], u[1]])
-        }
+        Group::Line
+        | Group::Normal
+        | Group::Filter
+        | Group::GaussianFilter
+        | Group::WindowFilter
+        | Group::MitchellFilter => line(id, mapping.parameters(), [u[0], u[1]]),
         Group::Environment => environment(mapping, u),
         Group::Phase | Group::Ggx | Group::GgxCap | Group::Beckmann => {
             scattering(id, mapping.parameters(), [u[0], u[1]])
@@ -101,6 +104,13 @@ fn line(id: u32, p: &[f32; MAP_PARAMETERS], u: [u32; 2]) -> Option<[f64; 4]> {
         map::BOX_MULLER => two(judge::line::box_muller(first, u)),
         map::FILTER_BOX => product(&|u| judge::line::filter_box(first, u)),
         map::FILTER_TENT => product(&|u| judge::line::filter_tent(first, u)),
+        map::FILTER_BLACKMAN_HARRIS => product(&|u| judge::line::filter_blackman_harris(first, u)),
+        map::FILTER_MITCHELL => {
+            // The shares of the parts are rounded to fractions, which the samples start from.
+            let shares = [p[3], p[4]].map(f32::to_bits);
+            let c = f64::from(p[2]);
+            product(&|u| judge::line::filter_mitchell([first, second, c], shares, u))
+        }
         map::FILTER_GAUSSIAN => product(&|u| judge::line::filter_gaussian(first, second, u)),
         _ => None,
     }

@@ -254,6 +254,10 @@ const MAPPERS: &[Kernel] = &[
     maps("map_filter_native", "map_filter.comp", MAPPED, Profile::Native),
     maps("map_filter_gaussian", "map_filter_gaussian.comp", PREPARED, Profile::Integer),
     maps("map_filter_gaussian_native", "map_filter_gaussian.comp", MAPPED, Profile::Native),
+    maps("map_filter_window", "map_filter_window.comp", MAPPED, Profile::Integer),
+    maps("map_filter_window_native", "map_filter_window.comp", MAPPED, Profile::Native),
+    maps("map_filter_mitchell", "map_filter_mitchell.comp", MAPPED, Profile::Integer),
+    maps("map_filter_mitchell_native", "map_filter_mitchell.comp", MAPPED, Profile::Native),
     maps("map_environment", "map_environment.comp", TABLED, Profile::Integer),
     maps("map_environment_native", "map_environment.comp", TABLED, Profile::Native),
 ];

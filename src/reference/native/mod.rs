@@ -9,6 +9,8 @@ pub mod disk;
 pub mod disk_light;
 pub mod environment;
 pub mod filter;
+pub mod filter_blackman_harris;
+pub mod filter_mitchell;
 pub mod frame;
 pub mod free_flight;
 pub mod gaussian;
