@@ -137,9 +137,10 @@ const MAPS_HEAD: &str = "# Maps
 Each map takes fractions of 2^32 to a sample of a distribution: `corput generate SEQUENCE --map NAME
 --param NAME=X`. In GLSL a map `some-name` is `corput_some_name`, with `_pdf` and `_invert`, and in
 Rust the same without `corput_`. +z is the normal or the pole, coordinates are right-handed, angles
-are in radians. Errors are worst cases, those of the exact profile in units of the last place (ULP)
-of float, held by `corput check`; those of the native profile are what Vulkan's precision tables
-allow. This page is what `corput maps` prints.
+are in radians. Errors are worst cases over the parameters that checks try; a header says what more
+extreme ones cost. Those of the exact profile are in units of the last place (ULP) of float, held by
+`corput check`; those of the native profile are what Vulkan's precision tables allow. This page is
+what `corput maps` prints.
 ";
 
 /// With a capital.
