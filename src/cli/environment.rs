@@ -81,6 +81,13 @@ fn warnings(counts: &Counts, compensated: bool) -> Vec<String> {
             rows => format!("{rows} rows of it are without light, and never drawn"),
         });
     }
+    match counts.raised {
+        0 => {}
+        1 => list.push("1 texel has less than 2^-62 of the light, and is drawn as if that".into()),
+        texels => list.push(format!(
+            "{texels} texels have less than 2^-62 of the light each, and are drawn as if that"
+        )),
+    }
     if counts.black {
         list.push("it is black: directions are uniform over the sphere".into());
     }

@@ -77,11 +77,15 @@ pub fn count(args: &GenerateArgs) -> Result<u64> {
 fn request(args: &GenerateArgs) -> Result<Request> {
     let sequence = Sequence::from_name(&args.sequence)
         .map_err(|_| Error::unknown_name("sequence", &args.sequence, &guide::known()))?;
+    let map = maps::mapping(args)?;
+    // Where nothing else says how many, as many as the map takes.
+    let taken = map.as_ref().filter(|_| args.bases.is_none());
+    let taken = taken.map(|mapping| u64::from(mapping.map().dimensions));
     Request::new(&Options {
         sequence,
         count: count(args)?,
         first: args.first,
-        dimensions: args.dims,
+        dimensions: args.dims.or(taken),
         bases: args.bases.clone(),
         total: args.total,
         index_first: args.index_first,
@@ -95,7 +99,7 @@ fn request(args: &GenerateArgs) -> Result<Request> {
         grid: args.grid.as_ref().map(|grid| grid.0.clone()),
         generator: args.generator,
         fractions: args.fractions,
-        map: maps::mapping(args)?,
+        map,
         with_pdf: args.with_pdf,
         profile: Profile::from_name(&args.profile)?,
     })

@@ -53,6 +53,17 @@ fn weights_and_compensation_change_what_is_drawn() {
     );
     run.expect(0, &[]);
     assert!(run.stderr.contains("it is black"), "{}", run.stderr);
+    // Two texels, the second with 2^-120 of the light of the first.
+    std::fs::write(
+        desk.path("h.hdr"),
+        b"#?RADIANCE\n\n-Y 1 +X 2\n\x80\x80\x80\xbc\x80\x80\x80\x44",
+    )
+    .unwrap();
+    let run = desk.run(
+        "generate sobol --count 4 --dims 2 --map environment --env h.hdr --device cpu --out h.npy",
+    );
+    run.expect(0, &[]);
+    assert!(run.stderr.contains("1 texel has less"), "{}", run.stderr);
     std::fs::write(
         desk.path("r.hdr"),
         b"#?RADIANCE\n\n-Y 2 +X 1\n\x80\x80\x80\x80\0\0\0\0",

@@ -24,6 +24,22 @@ fn first(map: &'static corput::catalog::Map) -> Option<Mapping> {
     examples(map).expect("examples").into_iter().next()
 }
 
+/// Where nothing says how many dimensions there are, there are those that the map takes.
+#[test]
+fn a_map_brings_its_dimensions() {
+    let desk = Desk::new();
+    for map in ["exponential", "gaussian"] {
+        let line = format!("sobol --count 100 --device cpu --map {map}");
+        let made = desk.make(&line, "p.npy");
+        npy(&made).assert_is("<f4", 100, 1);
+        assert_eq!(
+            made,
+            desk.make(&format!("{line} --dims 1"), "q.npy"),
+            "{map}"
+        );
+    }
+}
+
 #[test]
 fn samples_of_every_map_are_those_of_the_fractions() {
     if skips() {
@@ -148,7 +164,7 @@ fn parameters_outside_their_domain_are_refused() {
             &["is 1 number;", "it takes 3"],
         ),
         (
-            "--map exponential",
+            "--dims 2 --map exponential",
             &["takes 1 dimension per point", "2 were given", "--dims 1"],
         ),
         (

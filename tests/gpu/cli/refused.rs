@@ -117,7 +117,7 @@ fn requests_that_cannot_be_met() {
         ),
         (
             "halton --count 5 --dims 1 --map polar-disk",
-            &["takes 2 dimensions", "1 were given", "use --dims 2"],
+            &["takes 2 dimensions", "1 was given", "use --dims 2"],
         ),
         (
             "halton --count 5 --dims 3 --map polar-disk",
