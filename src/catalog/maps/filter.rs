@@ -1,6 +1,6 @@
 //! Pixel filters whose cumulative distribution has no inverse in closed form.
 
-use super::{Group, Map, Parameter};
+use super::{Group, Map, Parameter, SWIFTSHADER};
 use crate::catalog::Tier;
 use crate::interface::{MAP_PARAMETERS, map};
 use crate::reference::filter_mitchell::filter_mitchell_prepare;
@@ -63,7 +63,7 @@ pub(super) const MAPS: &[Map] = &[
         pdf_ulp: 1.0,
         native: 1e-5,
         native_pdf: 1e-4,
-        slow: &[],
+        slow: SWIFTSHADER,
         tier: Tier::Integer,
         summary: "offsets by the magnitude of Mitchell and Netravali's filter, whose sign is the weight's",
         source: "Mitchell and Netravali 1988; weights as in PBRT 4th ed., 8.8.6",
