@@ -164,7 +164,7 @@ pub fn blackman_harris_quantile(share: u32) -> BlackmanHarris {
         let root = real_sqrt(real_sqrt(mass));
         x = real_min(real_min(x, root), real_uint(1, -1));
     }
-    let mut at = BlackmanHarris { x: x, edge: edge };
+    let mut at = BlackmanHarris { x, edge };
     // From there on 2^-40 of x in five steps.
     for _ in 0..5 {
         let excess = real_subtract(blackman_harris_mass(at), mass);
@@ -208,7 +208,7 @@ pub fn filter_blackman_harris(radius: f32, u: UVec2) -> FilterSample {
         p[i] = filter_offset(real_multiply(r, d), r, u[i]);
     }
     FilterSample {
-        p: p,
+        p,
         pdf: gaussian_area_pdf(density, r),
     }
 }

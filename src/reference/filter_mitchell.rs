@@ -2,19 +2,19 @@
 //! Netravali, as a product of two coordinates, with pdf, inverse and signed weight.
 //!
 //! Source: Mitchell and Netravali 1988, Reconstruction filters in computer graphics, eq.
-//! 8; PBRT 4th ed., 8.8.5 and 8.8.6: the weight of a sample is f / pdf. In terms of y = 2
-//! - |t|, the lobe outside 1 is y^2 ((B + 6 C) y - 6 C) / 6, whose sign changes at y = 6
-//! C / (B + 6 C). Each part is a quartic from the end where its density is least, without
-//! cancellation, inverted by 5 steps of Newton's method. Domain: radius > 0, B and C from
-//! 0 to 1, what is beyond counts as the end; two fractions of 2^32, which stand for
-//! midpoints of their parts. radius <= 0 gives the centre; a NaN counts as an infinity.
-//! Range: coordinates from -radius to radius. Pdf: with respect to area, of |f| over its
-//! integral, f(t) at t = 2 x / r: 0 beyond the radius. That of a sample is the one before
-//! its coordinates are rounded. The filter itself is pdf times the weight, which is one
-//! of two numbers of equal magnitude, and whose mean is 1. Errors: coordinates 0.6 ULP,
-//! pdf of a sample 1 ULP, for shares of the parts that are rounded to even fractions of
-//! 2^32: samples are those of fractions 2^-31 away. The weight 0.51 ULP; next to the
-//! change of sign it is that of the rounded offset. Tier I.
+//! 8; PBRT 4th ed., 8.8.5 and 8.8.6: the weight of a sample is f / pdf. In terms of y =
+//! 2 - |t|, the lobe outside 1 is y^2 ((B + 6 C) y - 6 C) / 6, whose sign changes at y =
+//! 6 C / (B + 6 C). Each part is a quartic from the end where its density is least,
+//! without cancellation, inverted by 5 steps of Newton's method. Domain: radius > 0, B
+//! and C from 0 to 1, what is beyond counts as the end; two fractions of 2^32, which
+//! stand for midpoints of their parts. radius <= 0 gives the centre; a NaN counts as an
+//! infinity. Range: coordinates from -radius to radius. Pdf: with respect to area, of
+//! |f| over its integral, f(t) at t = 2 x / r: 0 beyond the radius. That of a sample is
+//! the one before its coordinates are rounded. The filter itself is pdf times the
+//! weight, which is one of two numbers of equal magnitude, and whose mean is 1. Errors:
+//! coordinates 0.6 ULP, pdf of a sample 1 ULP, for shares of the parts that are rounded
+//! to even fractions of 2^32: samples are those of fractions 2^-31 away. The weight 0.51
+//! ULP; next to the change of sign it is that of the rounded offset. Tier I.
 //! Mirror: `shaders/corput/filter_mitchell.glsl`.
 
 use crate::reference::exponential::real_power;

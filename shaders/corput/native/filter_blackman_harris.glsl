@@ -90,7 +90,7 @@ CorputNativeBlackmanHarris corput_native_blackman_harris_quantile(uint share) {
     CorputNativeBlackmanHarris at = CorputNativeBlackmanHarris(x, edge);
     for (uint i = 0u; i < 5u; i++) {
         float excess = corput_native_blackman_harris_mass(at) - mass;
-        at.x = at.x - excess / corput_native_blackman_harris_density(at);
+        at.x -= excess / corput_native_blackman_harris_density(at);
     }
     return at;
 }

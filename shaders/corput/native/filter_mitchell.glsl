@@ -82,8 +82,8 @@ uint corput_native_mitchell_share(float mass, float total) {
 
 // The filter of this radius, B and C.
 CorputNativeFilterMitchell corput_native_filter_mitchell_prepare(float radius, float b, float c) {
-    float first = min(max(b, 0.0), 1.0);
-    float second = min(max(c, 0.0), 1.0);
+    float first = clamp(b, 0.0, 1.0);
+    float second = clamp(c, 0.0, 1.0);
     float sum = first + 6.0 * second;
     float zero = corput_native_mitchell_ratio(6.0 * second, sum);
     float lobe = 0.5 * second * zero * zero * zero;
@@ -196,7 +196,7 @@ CorputNativeFilterSample corput_native_filter_mitchell(CorputNativeFilterMitchel
     float right = f.radius * corput_native_mitchell_distance(f, x);
     float up = f.radius * corput_native_mitchell_distance(f, y);
     float pdf = corput_native_mitchell_density(x) / (f.total * f.radius);
-    pdf = pdf * (corput_native_mitchell_density(y) / (f.total * f.radius));
+    pdf *= corput_native_mitchell_density(y) / (f.total * f.radius);
     return CorputNativeFilterSample(corput_native_filter_point(right, up, u), pdf);
 }
 

@@ -108,10 +108,10 @@ pub fn native_blackman_harris_quantile(share: u32) -> NativeBlackmanHarris {
     if edge {
         x = x.min(mass.sqrt().sqrt()).min(0.5);
     }
-    let mut at = NativeBlackmanHarris { x: x, edge: edge };
+    let mut at = NativeBlackmanHarris { x, edge };
     for _ in 0..5 {
         let excess = native_blackman_harris_mass(at) - mass;
-        at.x = at.x - excess / native_blackman_harris_density(at);
+        at.x -= excess / native_blackman_harris_density(at);
     }
     at
 }
@@ -145,10 +145,7 @@ pub fn native_filter_blackman_harris(radius: f32, u: UVec2) -> NativeFilterSampl
     let up = if y.edge { 1.0 - y.x } else { y.x };
     let p = native_filter_point(r * right, r * up, u);
     let pdf = native_blackman_harris_density(x) / r * (native_blackman_harris_density(y) / r);
-    NativeFilterSample {
-        p: p,
-        pdf: 0.25 * pdf,
-    }
+    NativeFilterSample { p, pdf: 0.25 * pdf }
 }
 
 /// w(x/r) w(y/r) / (2 a0 r)^2 within the square.

@@ -112,8 +112,8 @@ pub fn native_mitchell_share(mass: f32, total: f32) -> u32 {
 #[inline]
 #[must_use]
 pub fn native_filter_mitchell_prepare(radius: f32, b: f32, c: f32) -> NativeFilterMitchell {
-    let first = b.max(0.0).min(1.0);
-    let second = c.max(0.0).min(1.0);
+    let first = b.clamp(0.0, 1.0);
+    let second = c.clamp(0.0, 1.0);
     let sum = first + 6.0 * second;
     let zero = native_mitchell_ratio(6.0 * second, sum);
     let lobe = 0.5 * second * zero * zero * zero;
@@ -246,7 +246,7 @@ pub fn native_filter_mitchell(f: NativeFilterMitchell, u: UVec2) -> NativeFilter
     let right = f.radius * native_mitchell_distance(f, x);
     let up = f.radius * native_mitchell_distance(f, y);
     let mut pdf = native_mitchell_density(x) / (f.total * f.radius);
-    pdf = pdf * (native_mitchell_density(y) / (f.total * f.radius));
+    pdf *= native_mitchell_density(y) / (f.total * f.radius);
     NativeFilterSample {
         p: native_filter_point(right, up, u),
         pdf,
