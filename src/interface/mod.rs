@@ -182,6 +182,22 @@ push_constants! {
 }
 
 push_constants! {
+    /// Arguments of the kernels that estimate.
+    EstimatePush {
+        /// Index of the first point.
+        first,
+        /// Points in all.
+        count,
+        /// Points of an invocation; the last may have fewer.
+        run,
+        /// Invocations that have work.
+        invocations,
+        /// Terms are in units of 2^-scale; a signed number.
+        scale,
+    }
+}
+
+push_constants! {
     /// Arguments of the kernels over pairs of points.
     PairsPush {
         /// First point of the invocations, one each.
@@ -457,6 +473,36 @@ pub mod map {
     pub const ENVIRONMENT: u32 = 128;
     /// Environment map, by an alias table.
     pub const ENVIRONMENT_ALIAS: u32 = 129;
+}
+
+/// Values of the constant `INTEGRAND`.
+pub mod integrand {
+    /// x^2.
+    pub const X_SQUARED: u32 = 0;
+    /// A number and x.
+    pub const OFFSET: u32 = 1;
+    /// 1/sqrt(x).
+    pub const INVERSE_ROOT: u32 = 2;
+    /// Step at the unit circle.
+    pub const DISK_STEP: u32 = 3;
+    /// Checkerboard.
+    pub const CHECKERBOARD: u32 = 4;
+    /// Ishigami's function.
+    pub const ISHIGAMI: u32 = 5;
+    /// Genz, oscillatory.
+    pub const OSCILLATORY: u32 = 6;
+    /// Genz, product peak.
+    pub const PRODUCT_PEAK: u32 = 7;
+    /// Genz, corner peak.
+    pub const CORNER_PEAK: u32 = 8;
+    /// Genz, Gaussian.
+    pub const GAUSSIAN: u32 = 9;
+    /// Genz, continuous.
+    pub const CONTINUOUS: u32 = 10;
+    /// Genz, discontinuous.
+    pub const DISCONTINUOUS: u32 = 11;
+    /// Sobol's g.
+    pub const SOBOL_G: u32 = 12;
 }
 
 /// Values of the constant `KIND` of `pairs`.
