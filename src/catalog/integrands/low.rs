@@ -156,7 +156,6 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         summary: "three variables that act together",
         formula: "sin t_1 + a sin^2 t_2 + b t_3^4 sin t_1, t = pi (2 x - 1)",
         source: "Ishigami and Homma 1990",
-        ..BASE
     },
 ];
 
