@@ -181,7 +181,7 @@ pub struct EstimateArgs {
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub seed: Option<u64>,
     /// Index of the first point.
-    #[arg(long, value_parser = whole, allow_hyphen_values = true, default_value = "0")]
+    #[arg(long, visible_alias = "first", value_parser = whole, allow_hyphen_values = true, default_value = "0")]
     pub start: u64,
     /// Device by index or part of its name; `cpu` for the reference.
     #[arg(long)]
