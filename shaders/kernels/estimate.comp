@@ -31,6 +31,12 @@ CorputTerm tile_term(Tile tile) {
 #if TILE_COLUMNS > 1
     state = integrand_step(state, 1u, point.y);
 #endif
+#if TILE_COLUMNS > 2
+    state = integrand_step(state, 2u, point.z);
+#endif
+#if TILE_COLUMNS > 3
+    state = integrand_step(state, 3u, point.w);
+#endif
     return integrand_term(state, int(push.scale));
 }
 

@@ -42,7 +42,7 @@ pub fn check(device: &Arc<Device>, integrand: &'static Integrand) -> Result<Row>
     compare_estimates(integrand, &mut |problem, request| {
         let columns = &request.columns;
         let mut plans = vec![general_estimate(columns, integrand.id)];
-        if columns.len() <= 2 {
+        if columns.len() <= 4 {
             let tiles =
                 [true, false].map(|cpu| plan_estimate(columns, u64::MAX, integrand.id, cpu));
             plans.extend(tiles);
@@ -71,7 +71,15 @@ pub fn compare_estimates(integrand: &'static Integrand, sums: Sums) -> Result<Ro
             let expected = estimate(problem, &request, 0, request.count)?;
             for got in sums(problem, &request)? {
                 row.count(got == expected, || {
-                    format!("{:?}: {got:x?}, not {expected:x?}", problem.values())
+                    format!(
+                        "{:?}, d = {}: {} and {}, not {} and {}",
+                        problem.values(),
+                        problem.dimensions(),
+                        got.sum(),
+                        got.squares(),
+                        expected.sum(),
+                        expected.squares()
+                    )
                 });
             }
         }

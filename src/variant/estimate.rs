@@ -12,15 +12,17 @@ const SMALL: u64 = 1 << 14;
 /// [`Work`](super::Work). All kernels give the same sums.
 #[must_use]
 pub fn plan_estimate(columns: &[Column], points: u64, integrand: u32, cpu: bool) -> Plan {
-    let name = match columns.len() {
-        1 => "estimate_tile_1",
-        2 => "estimate_tile_2",
-        _ => "estimate",
+    let tiles = [
+        "estimate_tile_1",
+        "estimate_tile_2",
+        "estimate_tile_3",
+        "estimate_tile_4",
+    ];
+    let mut plan = match tiles.get(columns.len().wrapping_sub(1)) {
+        Some(name) if points >= SMALL => tiled(name, columns, cpu),
+        _ => return general_estimate(columns, integrand),
     };
-    if points < SMALL || columns.len() > 2 {
-        return general_estimate(columns, integrand);
-    }
-    let mut plan = tiled(name, columns, cpu);
+    plan.set("DIMENSIONS", columns.len() as u32);
     plan.set("INTEGRAND", integrand);
     plan
 }

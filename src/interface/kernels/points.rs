@@ -8,8 +8,8 @@ use super::constants::{
 
 /// The kernels of a family that make points: the general one, tiles of one to four
 /// columns, tiles of two that a map follows, in both profiles, and estimates: the general
-/// one, and tiles of one and two columns.
-pub(super) const POINT_KERNELS: usize = 10;
+/// one, and tiles of one to four columns.
+pub(super) const POINT_KERNELS: usize = 12;
 
 macro_rules! point_kernels {
     ($family:expr, $suffix:literal) => {
@@ -83,6 +83,18 @@ macro_rules! point_kernels {
                 name: concat!("estimate_tile_2", $suffix),
                 defines: &[("TILE_COLUMNS", "2")],
                 columns: Some(($family, 2)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_tile_3", $suffix),
+                defines: &[("TILE_COLUMNS", "3")],
+                columns: Some(($family, 3)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_tile_4", $suffix),
+                defines: &[("TILE_COLUMNS", "4")],
+                columns: Some(($family, 4)),
                 ..estimates()
             },
         ]
