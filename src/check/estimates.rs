@@ -36,16 +36,24 @@ pub fn problems(integrand: &'static Integrand) -> Result<Vec<Problem>> {
         .collect()
 }
 
-/// Compares sums of a device with the CPU's, by the general kernel and by tiles of both
-/// lengths, and judges terms.
+/// Compares sums of a device with the CPU's, and judges terms: of a few integrands by the
+/// general kernel and by tiles of both lengths; of the others, whose kernels compile for
+/// long, by tiles for few dimensions and by the general kernel for many.
 pub fn check(device: &Arc<Device>, integrand: &'static Integrand) -> Result<Row> {
+    let every = EVERYWHERE.contains(&integrand.id);
     compare_estimates(integrand, &mut |problem, request| {
         let columns = &request.columns;
-        let mut plans = vec![general_estimate(columns, integrand.id)];
-        if columns.len() <= 4 {
-            let tiles =
-                [true, false].map(|cpu| plan_estimate(columns, u64::MAX, integrand.id, cpu));
-            plans.extend(tiles);
+        let (few, id) = (columns.len() <= 4, integrand.id);
+        let tile = |cpu| plan_estimate(columns, u64::MAX, id, cpu);
+        let mut plans = Vec::new();
+        if every || !few {
+            plans.push(general_estimate(columns, id));
+        }
+        if few {
+            plans.push(tile(true));
+        }
+        if every && few {
+            plans.push(tile(false));
         }
         let sums = plans.into_iter().map(|plan| {
             let words = spirv(plan.kernel.name)?;
