@@ -9,6 +9,8 @@
 //! - [`catalog::Request`]: a checked description of points; [`bulk::Reference`] makes them
 //!   on the CPU, `kernels::Generator` on a device.
 //! - [`mod@environment`]: environment maps as distributions of directions.
+//! - [`mod@estimate`]: exact sums of integrands over points, [`bulk::estimate`] on the CPU,
+//!   `kernels::Estimator` on a device.
 //! - [`blue_noise`]: dither masks and point sets that are made once.
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
@@ -43,6 +45,7 @@ pub mod compile;
 pub mod demo;
 pub mod environment;
 pub mod error;
+pub mod estimate;
 #[cfg(feature = "images")]
 pub mod image;
 pub mod interface;

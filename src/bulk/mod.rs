@@ -1,11 +1,15 @@
 //! The CPU path: the reference over ranges, on every core, with the bytes of the GPU.
 
 mod column;
+mod estimate;
+mod integrand;
 mod irradiance;
 mod maps;
 mod pairs;
 mod stored;
 
+pub use estimate::estimate;
+pub use integrand::integrand_term;
 pub use irradiance::{RadianceMap, irradiance_sum, row_edges, sum_scale};
 pub use maps::{map_invert, map_pdf, map_sample};
 pub use pairs::{

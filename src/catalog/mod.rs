@@ -3,6 +3,7 @@
 mod columns;
 mod functions;
 mod guide;
+mod integrands;
 mod maps;
 mod request;
 mod scramble;
@@ -10,6 +11,7 @@ mod sequence;
 
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use guide::Guide;
+pub use integrands::{Coefficients, Integrand, Problem, integrands};
 pub use maps::{Group, Map, Mapping, Parameter, Words, maps};
 pub use request::{Engine, Options, Output, Request, check_map};
 pub use scramble::{Order, SCRAMBLES, Scramble};

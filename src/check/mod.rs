@@ -8,6 +8,7 @@ mod blue_noise;
 mod cases;
 mod discrete;
 mod domain;
+mod estimates;
 mod functions;
 mod inputs;
 mod irradiance;
@@ -24,6 +25,7 @@ mod strata;
 mod transcendental;
 
 pub use blue_noise::compare_mask;
+pub use estimates::{compare_estimates, problems};
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};
 pub use maps::{compare_map, examples, fractions, judge_native, truth};
@@ -124,6 +126,11 @@ pub fn run(
     for map in crate::catalog::maps() {
         if wanted(&[map.name, map.group.kernel(Profile::Exact)]) {
             maps::check(device, map)?.into_iter().for_each(&mut add);
+        }
+    }
+    for integrand in crate::catalog::integrands() {
+        if wanted(&[integrand.name, "estimate", "integrand", "sum", "genz"]) {
+            add(estimates::check(device, integrand)?);
         }
     }
     if wanted(&["irradiance", "envmap_texel", "envmap"]) {

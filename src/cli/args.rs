@@ -32,6 +32,10 @@ pub enum Command {
     Generate(Box<GenerateArgs>),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),
+    /// List the integrands: parameters, dimensions, formula, integral, error of their terms.
+    Integrands(IntegrandsArgs),
+    /// Estimate an integral by exact sums over up to 2^32 points.
+    Estimate(EstimateArgs),
     /// Compare every kernel and function with the CPU reference on a device.
     Check(CheckArgs),
     /// Say how good a set of points in [0, 1)^d is.
@@ -145,6 +149,44 @@ pub struct MapsArgs {
     /// Only this one.
     pub name: Option<String>,
     /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct IntegrandsArgs {
+    /// Only this one.
+    pub name: Option<String>,
+    /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Sums are exact: the same bits on every device, by any number of dispatches."
+)]
+pub struct EstimateArgs {
+    /// What to integrate, as x-squared or genz-gaussian:d=8,difficulty=5; `corput integrands`
+    /// lists them.
+    #[arg(long)]
+    pub integrand: String,
+    /// The points: a sequence of `corput generate`, and its scramble, as sobol:owen.
+    #[arg(long)]
+    pub sampler: String,
+    /// Points: 1 to 2^32.
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub count: u64,
+    /// Seed of the randomisation.
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub seed: Option<u64>,
+    /// Index of the first point.
+    #[arg(long, visible_alias = "first", value_parser = whole, allow_hyphen_values = true, default_value = "0")]
+    pub start: u64,
+    /// Device by index or part of its name; `cpu` for the reference.
+    #[arg(long)]
+    pub device: Option<String>,
+    /// Print one JSON document, with the sums as decimal strings.
     #[arg(long)]
     pub json: bool,
 }

@@ -106,7 +106,7 @@ fn request(args: &GenerateArgs) -> Result<Request> {
 }
 
 /// The scramble with this name. A name that is none is answered by those of the sequence.
-fn scramble(sequence: Sequence, name: &str) -> Result<Scramble> {
+pub fn scramble(sequence: Sequence, name: &str) -> Result<Scramble> {
     Scramble::from_name(name).map_err(|unknown| {
         let known = sequence.scrambles().iter().map(|scramble| scramble.name());
         match known.collect::<Vec<&str>>()[..] {

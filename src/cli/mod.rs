@@ -6,10 +6,12 @@ mod check;
 mod demo;
 mod devices;
 mod environment;
+mod estimate;
 mod generate;
 mod guide;
 mod headers;
 mod host;
+mod integrands;
 mod interrupt;
 mod maps;
 mod mask;
@@ -34,6 +36,8 @@ pub fn main() -> ExitCode {
         Command::Devices(args) => devices::run(args),
         Command::Generate(args) => generate::run(args),
         Command::Maps(args) => maps::run(args),
+        Command::Integrands(args) => integrands::run(args),
+        Command::Estimate(args) => estimate::run(args),
         Command::Check(args) => check::run(args),
         Command::Measure(args) => measure::run(args),
         Command::Headers(args) => headers::run(args),

@@ -15,7 +15,9 @@ pub use column::{Column, DigitScramble, Generator, NetScramble, purpose};
 pub use family::{COLUMN_STRIDE, FAMILIES, Family, Word, column_kind};
 pub use kernel::{Binding, Constant, Element, Kernel, Profile};
 pub use kernels::KERNELS;
-pub use push::{IrradiancePush, MapPush, MaskPush, Member, PairsPush, PushConstants, WorkPush};
+pub use push::{
+    EstimatePush, IrradiancePush, MapPush, MaskPush, Member, PairsPush, PushConstants, WorkPush,
+};
 
 /// Parameters of a map: bits of floats.
 pub const MAP_PARAMETERS: usize = 16;
@@ -115,6 +117,36 @@ pub mod map {
     pub const ENVIRONMENT: u32 = 128;
     /// Environment map, by an alias table.
     pub const ENVIRONMENT_ALIAS: u32 = 129;
+}
+
+/// Values of the constant `INTEGRAND`.
+pub mod integrand {
+    /// x^2.
+    pub const X_SQUARED: u32 = 0;
+    /// A number and x.
+    pub const OFFSET: u32 = 1;
+    /// 1/sqrt(x).
+    pub const INVERSE_ROOT: u32 = 2;
+    /// Step at the unit circle.
+    pub const DISK_STEP: u32 = 3;
+    /// Checkerboard.
+    pub const CHECKERBOARD: u32 = 4;
+    /// Ishigami's function.
+    pub const ISHIGAMI: u32 = 5;
+    /// Genz, oscillatory.
+    pub const OSCILLATORY: u32 = 6;
+    /// Genz, product peak.
+    pub const PRODUCT_PEAK: u32 = 7;
+    /// Genz, corner peak.
+    pub const CORNER_PEAK: u32 = 8;
+    /// Genz, Gaussian.
+    pub const GAUSSIAN: u32 = 9;
+    /// Genz, continuous.
+    pub const CONTINUOUS: u32 = 10;
+    /// Genz, discontinuous.
+    pub const DISCONTINUOUS: u32 = 11;
+    /// Sobol's g.
+    pub const SOBOL_G: u32 = 12;
 }
 
 /// Values of the constant `KIND` of `pairs`.

@@ -163,6 +163,22 @@ push_constants! {
 }
 
 push_constants! {
+    /// Arguments of the kernels that estimate.
+    EstimatePush {
+        /// Index of the first point.
+        first,
+        /// Points in all.
+        count,
+        /// Points of an invocation; the last may have fewer.
+        run,
+        /// Invocations that have work.
+        invocations,
+        /// Terms are in units of 2^-scale; a signed number.
+        scale,
+    }
+}
+
+push_constants! {
     /// Arguments of the kernels over pairs of points.
     PairsPush {
         /// First point of the invocations, one each.

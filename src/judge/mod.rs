@@ -7,6 +7,7 @@
 mod digits;
 pub mod environment;
 mod functions;
+mod integrands;
 pub mod lights;
 pub mod line;
 mod maps;
@@ -24,6 +25,7 @@ pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, star
 pub use functions::{
     atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sobol_directions, sqrt,
 };
+pub use integrands::integrand;
 pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,

@@ -1,5 +1,6 @@
 //! Typed wrappers of the stock kernels: Rust arguments in, results out.
 
+mod estimator;
 mod evaluator;
 mod generator;
 mod irradiance;
@@ -8,6 +9,7 @@ mod pairs;
 mod points;
 mod void_and_cluster;
 
+pub use estimator::Estimator;
 pub use evaluator::Evaluator;
 pub use generator::Generator;
 pub use irradiance::{IrradianceSum, Irradiator};

@@ -2,8 +2,10 @@
 
 mod bases;
 mod columns;
+mod estimate;
 mod plan;
 
 pub use bases::{odometer_base, radical_base};
 pub use columns::column_words;
+pub use estimate::{general_estimate, longest_estimate, plan_estimate};
 pub use plan::{FusedMap, Plan, Work, general, plan};

@@ -60,7 +60,7 @@ pub fn plan(work: &Work) -> Plan {
     let words = work.points * work.columns.len() as u64;
     if let Some(map) = work.map {
         let name = if work.native { "fused_native" } else { "fused" };
-        let mut plan = tiled(name, work);
+        let mut plan = tiled(name, work.columns, work.cpu);
         plan.set("MAP", map.id);
         plan.set("COORDINATES", map.coordinates);
         plan.set("WITH_PDF", u32::from(map.with_pdf));
@@ -80,8 +80,10 @@ pub fn plan(work: &Work) -> Plan {
     let width = work.columns.len();
     let parts = width.div_ceil(4) as u64;
     let mut plan = match tile.get(width - 1) {
-        Some(name) if words >= SMALL => tiled(name, work),
-        None if width.is_multiple_of(4) && words >= parts * LARGE => tiled(tile[3], work),
+        Some(name) if words >= SMALL => tiled(name, work.columns, work.cpu),
+        None if width.is_multiple_of(4) && words >= parts * LARGE => {
+            tiled(tile[3], work.columns, work.cpu)
+        }
         _ => general(work),
     };
     plan.set("OUTPUT", output);
@@ -92,14 +94,9 @@ pub fn plan(work: &Work) -> Plan {
 #[must_use]
 pub fn general(work: &Work) -> Plan {
     let mut plan = Plan {
-        kernel: kernel("generate", family(work)),
+        kernel: kernel("generate", family(work.columns)),
         specializations: vec![Vec::new()],
-        table: Some(
-            work.columns
-                .iter()
-                .flat_map(|&column| column_words(column, 0))
-                .collect(),
-        ),
+        table: Some(table(work.columns)),
         tile: 0,
     };
     plan.set("DIMENSIONS", work.columns.len() as u32);
@@ -114,18 +111,25 @@ pub fn general(work: &Work) -> Plan {
     plan
 }
 
-fn tiled(name: &'static str, work: &Work) -> Plan {
+/// The words of all columns, as general kernels read them.
+pub(super) fn table(columns: &[Column]) -> Vec<u32> {
+    let words = columns.iter().map(|&column| column_words(column, 0));
+    words.flatten().collect()
+}
+
+/// A kernel of tiles of these columns.
+pub(super) fn tiled(name: &str, columns: &[Column], cpu: bool) -> Plan {
     // A GPU's lanes should write side by side; a CPU's run on by themselves, the longer
     // the better.
-    let longest = work.columns.iter().map(longest_run).min();
-    let tile = if work.cpu { longest.unwrap_or(16) } else { 4 };
+    let longest = columns.iter().map(longest_run).min();
+    let tile = if cpu { longest.unwrap_or(16) } else { 4 };
     let mut plan = Plan {
-        kernel: kernel(name, family(work)),
+        kernel: kernel(name, family(columns)),
         specializations: Vec::new(),
         table: None,
         tile,
     };
-    for part in work.columns.chunks(4) {
+    for part in columns.chunks(4) {
         let mut values = Vec::new();
         for (index, &column) in part.iter().enumerate() {
             let first = 16 + COLUMN_STRIDE * index as u32;
@@ -134,7 +138,7 @@ fn tiled(name: &'static str, work: &Work) -> Plan {
         plan.specializations.push(values);
     }
     plan.set("TILE", tile);
-    plan.set("ROW", work.columns.len().div_ceil(4) as u32);
+    plan.set("ROW", columns.len().div_ceil(4) as u32);
     for part in 0..plan.specializations.len() {
         plan.set_in(part, "PART", part as u32);
     }
@@ -143,7 +147,7 @@ fn tiled(name: &'static str, work: &Work) -> Plan {
 
 impl Plan {
     /// Gives a constant a value in every dispatch, if the kernel has it.
-    fn set(&mut self, name: &str, value: u32) {
+    pub(super) fn set(&mut self, name: &str, value: u32) {
         for part in 0..self.specializations.len() {
             self.set_in(part, name, value);
         }
@@ -160,12 +164,12 @@ impl Plan {
 }
 
 /// The family of the columns; one sequence has columns of one family.
-fn family(work: &Work) -> Family {
-    work.columns.first().map_or(Family::Radical, Column::family)
+pub(super) fn family(columns: &[Column]) -> Family {
+    columns.first().map_or(Family::Radical, Column::family)
 }
 
 /// The row of a family with this name; the names are those of the table.
-fn kernel(name: &str, family: Family) -> &'static Kernel {
+pub(super) fn kernel(name: &str, family: Family) -> &'static Kernel {
     KERNELS
         .iter()
         .find(|kernel| kernel.name.strip_suffix(family.suffix()) == Some(name))

@@ -7,8 +7,8 @@ mod source;
 
 use corput::blue_noise::MaskShape;
 use corput::interface::{
-    Element, Family, IrradiancePush, KERNELS, MaskPush, PairsPush, PushConstants, WorkPush,
-    column_kind, map, output,
+    Element, EstimatePush, Family, IrradiancePush, KERNELS, MaskPush, PairsPush, PushConstants,
+    WorkPush, column_kind, map, output,
 };
 use corput::kernels::spirv;
 use facts::{constants, promised, reflected};
@@ -136,6 +136,7 @@ fn structs_have_the_size_of_their_blocks() {
     }
     check::<WorkPush>(&WorkPush::default().bytes());
     check::<IrradiancePush>(&IrradiancePush::default().bytes());
+    check::<EstimatePush>(&EstimatePush::default().bytes());
     check::<PairsPush>(&PairsPush::default().bytes());
     check::<MaskPush>(&MaskPush::default().bytes());
     let push = WorkPush {
@@ -172,6 +173,7 @@ fn shaders_repeat_the_right_numbers() {
     assert_eq!(ids, table("map"));
     assert_eq!(numbers(&text("map_main.glsl")), table("task"));
     assert_eq!(numbers(&text("pairs.comp")), table("pair_kind"));
+    assert_eq!(numbers(&text("integrand.glsl")), table("integrand"));
     // The reader of src/interface reads what the compiler reads.
     assert!(table("column_kind").contains(&("RADICAL".to_owned(), column_kind::RADICAL)));
     assert!(table("map").contains(&(
@@ -180,7 +182,7 @@ fn shaders_repeat_the_right_numbers() {
     )));
     // No other shader has numbers of its own at file level.
     for name in &kernels {
-        let listed = ["map_main.glsl", "pairs.comp"].contains(&name.as_str());
+        let listed = ["integrand.glsl", "map_main.glsl", "pairs.comp"].contains(&name.as_str());
         let known = columns.contains(&name) || maps.contains(&name) || listed;
         assert!(known || numbers(&text(name)).is_empty(), "{name}");
     }

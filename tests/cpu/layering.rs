@@ -16,6 +16,7 @@ const LEVELS: [&[&str]; 7] = [
         "judge",
         "blue_noise",
         "environment",
+        "estimate",
         "irradiance",
         "spirv",
         "vulkan",

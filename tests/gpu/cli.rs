@@ -8,6 +8,8 @@ mod commands;
 mod devices;
 #[path = "cli/environment.rs"]
 mod environment;
+#[path = "cli/estimate.rs"]
+mod estimate;
 #[path = "cli/guide.rs"]
 mod guide;
 #[path = "cli/limits.rs"]

@@ -1,8 +1,8 @@
 //! Specialization constants and buffers that the kernels share.
 
 use super::super::{
-    Binding, Constant, Element, MapPush, Member, PushConstants, WorkPush, map, output, pair_kind,
-    task,
+    Binding, Constant, Element, EstimatePush, MapPush, Member, PushConstants, WorkPush, integrand,
+    map, output, pair_kind, task,
 };
 
 pub(super) const OUTPUT: Constant = Constant {
@@ -80,6 +80,13 @@ pub(super) const COORDINATES: Constant = Constant {
     default: 3,
 };
 
+/// Which integrand.
+pub(super) const INTEGRAND: Constant = Constant {
+    id: 13,
+    name: "INTEGRAND",
+    default: integrand::X_SQUARED,
+};
+
 pub(super) const RESULTS: Binding = Binding {
     binding: 0,
     name: "results",
@@ -89,6 +96,13 @@ pub(super) const RESULTS: Binding = Binding {
 pub(super) const COLUMNS: Binding = Binding {
     binding: 1,
     name: "columns",
+    element: Element::Uint,
+    input: true,
+};
+/// What the host says of an integrand.
+pub(super) const COEFFICIENTS: Binding = Binding {
+    binding: 2,
+    name: "coefficients",
     element: Element::Uint,
     input: true,
 };
@@ -108,3 +122,5 @@ pub(super) const ARGUMENTS: Binding = Binding {
 pub(super) const WORK: &[Member] = WorkPush::MEMBERS;
 
 pub(super) const MAP_ARGUMENTS: &[Member] = MapPush::MEMBERS;
+
+pub(super) const ESTIMATE: &[Member] = EstimatePush::MEMBERS;

@@ -2,12 +2,14 @@
 
 use super::super::{FAMILIES, Family, Kernel, Profile};
 use super::constants::{
-    COLUMNS, COORDINATES, DIMENSIONS, MAP, OUTPUT, PART, RESULTS, ROW, TILE, WITH_PDF, WORK,
+    COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, INTEGRAND, MAP, OUTPUT, PART,
+    RESULTS, ROW, TILE, WITH_PDF, WORK,
 };
 
 /// The kernels of a family that make points: the general one, tiles of one to four
-/// columns, and tiles of two that a map follows, in both profiles.
-pub(super) const POINT_KERNELS: usize = 7;
+/// columns, tiles of two that a map follows, in both profiles, and estimates: the general
+/// one, and tiles of one to four columns.
+pub(super) const POINT_KERNELS: usize = 12;
 
 macro_rules! point_kernels {
     ($family:expr, $suffix:literal) => {
@@ -63,6 +65,38 @@ macro_rules! point_kernels {
                 profile: Profile::Native,
                 ..points()
             },
+            Kernel {
+                name: concat!("estimate", $suffix),
+                defines: &[("COLUMN_TABLE", "1")],
+                bindings: &[RESULTS, COLUMNS, COEFFICIENTS],
+                constants: &[DIMENSIONS, INTEGRAND],
+                columns: Some(($family, 0)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_tile_1", $suffix),
+                defines: &[("TILE_COLUMNS", "1")],
+                columns: Some(($family, 1)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_tile_2", $suffix),
+                defines: &[("TILE_COLUMNS", "2")],
+                columns: Some(($family, 2)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_tile_3", $suffix),
+                defines: &[("TILE_COLUMNS", "3")],
+                columns: Some(($family, 3)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_tile_4", $suffix),
+                defines: &[("TILE_COLUMNS", "4")],
+                columns: Some(($family, 4)),
+                ..estimates()
+            },
         ]
     };
 }
@@ -79,6 +113,17 @@ pub(super) const fn points() -> Kernel {
         constants: &[OUTPUT, TILE],
         columns: None,
         profile: Profile::Integer,
+    }
+}
+
+/// What the kernels that estimate have in common.
+const fn estimates() -> Kernel {
+    Kernel {
+        source: "estimate.comp",
+        push: ESTIMATE,
+        bindings: &[RESULTS, COEFFICIENTS],
+        constants: &[DIMENSIONS, TILE, INTEGRAND],
+        ..points()
     }
 }
 

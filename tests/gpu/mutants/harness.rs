@@ -4,11 +4,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use corput::bulk::{Columns, NearestWords, pair_kind_of};
-use corput::catalog::{Engine, FUNCTIONS, Function, Map, Options, Output, Profile, Request};
+use corput::catalog::{
+    Engine, FUNCTIONS, Function, Integrand, Map, Options, Output, Problem, Profile, Request,
+    Sequence,
+};
 use corput::check::{self, Case, NATIVE, Row, arguments};
-use corput::interface::Kernel;
-use corput::kernels::{Evaluator, Generator, Mapper, Pairs, VoidAndCluster, kernel};
-use corput::variant::{FusedMap, Plan, Work, general, plan};
+use corput::interface::{Column, Kernel};
+use corput::kernels::{Estimator, Evaluator, Generator, Mapper, Pairs, VoidAndCluster, kernel};
+use corput::variant::{FusedMap, Plan, Work, general, general_estimate, plan, plan_estimate};
 use corput::vulkan::{Device, DeviceKind};
 use corput::{compile, headers};
 
@@ -66,6 +69,10 @@ pub enum Target {
     Tile(fn() -> Options),
     /// A task of a map, with all its example parameters.
     Map(&'static str, u32),
+    /// An integrand with all its examples, by the general kernel.
+    Estimate(&'static str),
+    /// The same by tiles, where it has one or two dimensions.
+    EstimateTile(&'static str),
     /// Sums over pairs of points.
     Pairs,
     /// The nearest pair.
@@ -98,6 +105,17 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
                 .and_then(|evaluator| check::compare_native(&evaluator, row, &arguments(row.kind)))
         }
         Target::Map(name, task) => mapped(device, name, task, &words),
+        Target::Estimate(name) | Target::EstimateTile(name) => {
+            check::compare_estimates(integrand(name), &mut |problem, request| {
+                let plan = estimated(target, &request.columns);
+                // Points of other families are another kernel's.
+                if plan.kernel.name != row(device, target).name {
+                    return Ok(Vec::new());
+                }
+                let mut estimator = Estimator::with_module(device, problem, request, plan, &words)?;
+                Ok(vec![estimator.run(0, request.count, &mut |_| Ok(()))?.0])
+            })
+        }
         Target::Pairs => check::compare_pair_sums(&mut |kind, columns, scale| {
             let kind = pair_kind_of(kind);
             pairs(device, "pairs", columns, kind, &words)?.sum(scale, &mut |_, _| Ok(()))
@@ -144,6 +162,12 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         Target::Portable(_) => named("evaluate_portable"),
         Target::Native(_) => named("evaluate_native"),
         Target::Map(name, _) => named(map(name).group.kernel(Profile::Exact)),
+        Target::Estimate(name) | Target::EstimateTile(name) => {
+            let (values, dimensions) = integrand(name).examples[0];
+            let problem = Problem::with_values(integrand(name), values, dimensions);
+            let problem = problem.unwrap_or_else(|error| panic!("{error}"));
+            estimated(target, &sobol(problem.dimensions()).columns).kernel
+        }
         Target::Pairs => named("pairs"),
         Target::Nearest => named("nearest"),
         Target::Mask => named("void_and_cluster"),
@@ -204,6 +228,26 @@ fn mapped(device: &Arc<Device>, name: &str, task: u32, words: &[u32]) -> corput:
 
 fn map(name: &str) -> &'static Map {
     Map::from_name(name).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn integrand(name: &str) -> &'static Integrand {
+    Integrand::from_name(name).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn sobol(dimensions: u32) -> Request {
+    let options = Options {
+        dimensions: Some(dimensions.into()),
+        ..Options::new(Sequence::Sobol, 1)
+    };
+    Request::new(&options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn estimated(target: Target, columns: &[Column]) -> Plan {
+    match target {
+        Target::EstimateTile(name) => plan_estimate(columns, u64::MAX, integrand(name).id, true),
+        Target::Estimate(name) => general_estimate(columns, integrand(name).id),
+        _ => unreachable!("only estimates"),
+    }
 }
 
 fn function_row(name: &str) -> &'static Function {

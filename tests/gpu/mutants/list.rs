@@ -2,6 +2,7 @@
 
 mod discrete;
 mod elementary;
+mod estimate;
 mod foundation;
 mod line;
 mod scattering;
@@ -66,6 +67,7 @@ pub fn mutants() -> impl Iterator<Item = &'static Mutant> {
     [
         discrete::MUTANTS,
         elementary::MUTANTS,
+        estimate::MUTANTS,
         foundation::MUTANTS,
         scattering::MUTANTS,
         line::MUTANTS,

@@ -1,0 +1,327 @@
+//! Genz's families, a Gaussian peak and Sobol's g: products and sums over dimensions.
+//!
+//! Genz draws c_j at random and scales their sum to a difficulty; here c_j grows with j,
+//! (2 j + 1) difficulty / d^2, and w_j = frac((j + 1) (sqrt(5) - 1) / 2) to 32 bits, for j
+//! from 0 on, so that results can be compared. The default difficulties are his for d = 10.
+
+use super::{Coefficients, Integrand, Parameter, real_words, unit, within};
+use crate::interface::integrand;
+use crate::judge::normal_mass;
+use std::f64::consts::{PI, SQRT_2, TAU};
+
+/// The mean must not be lost below the unit of terms, 2^-63 of the peak.
+const LEAST_SHARE: f64 = 1.0 / 17_179_869_184.0;
+
+type Checked = core::result::Result<Coefficients, usize>;
+
+const fn difficulty(default: &'static [f64]) -> Parameter {
+    Parameter {
+        name: "difficulty",
+        size: 1,
+        default: Some(default),
+        domain: "it must be from 0.001 to 100, and so small for its dimensions that the mean is \
+                 at least 2^-34 of the peak",
+        summary: "sum of c_j",
+    }
+}
+
+/// What these integrands have in common.
+const BASE: Integrand = Integrand {
+    name: "",
+    id: 0,
+    dimensions: (1, 64),
+    default_dimensions: 8,
+    parameters: &[],
+    prepare: |_, _| Err(0),
+    truth: |_, _| 0.0,
+    error: 2.5e-7,
+    examples: &[
+        (&[0.001], 1),
+        (&[100.0], 1),
+        (&[2.0], 2),
+        (&[9.0], 8),
+        (&[1.0], 64),
+    ],
+    summary: "",
+    formula: "",
+    source: "Genz 1984",
+};
+
+/// The integrands of this group.
+pub(super) const INTEGRANDS: &[Integrand] = &[
+    Integrand {
+        name: "genz-oscillatory",
+        id: integrand::OSCILLATORY,
+        parameters: &[difficulty(&[9.0])],
+        prepare: oscillatory,
+        truth: |values, d| {
+            let sum: f64 = rates(values[0], d).sum();
+            let factors = rates(values[0], d).map(|c| (0.5 * c).sin() / (0.5 * c));
+            (TAU * unit(place(0)) + 0.5 * sum).cos() * factors.product::<f64>()
+        },
+        summary: "smooth, oscillating",
+        formula: "cos(2 pi w_0 + sum of c_j x_j)",
+        ..BASE
+    },
+    Integrand {
+        name: "genz-product-peak",
+        id: integrand::PRODUCT_PEAK,
+        parameters: &[difficulty(&[7.25])],
+        prepare: |values, d| {
+            let h = within(values, 0, 0.001, 100.0)?;
+            let peak = rates(h, d).map(|c| c * c).product();
+            dominant(
+                peaked(values, d, |c| 1.0 / (c * c), peak),
+                product_peak(values, d),
+            )
+        },
+        truth: product_peak,
+        summary: "smooth, a peak in each coordinate",
+        formula: "product of 1 / (c_j^-2 + (x_j - w_j)^2)",
+        ..BASE
+    },
+    Integrand {
+        name: "genz-corner-peak",
+        id: integrand::CORNER_PEAK,
+        parameters: &[difficulty(&[1.85])],
+        prepare: |values, d| dominant(peaked(values, d, |c| c, 1.0), corner_peak(values, d)),
+        truth: corner_peak,
+        examples: &[
+            (&[0.001], 1),
+            (&[100.0], 1),
+            (&[2.0], 4),
+            (&[1.85], 8),
+            (&[0.5], 64),
+        ],
+        summary: "smooth, a peak in the corner",
+        formula: "(1 + sum of c_j x_j)^-(d+1)",
+        ..BASE
+    },
+    Integrand {
+        name: "genz-gaussian",
+        id: integrand::GAUSSIAN,
+        parameters: &[difficulty(&[7.03])],
+        prepare: |values, d| dominant(peaked(values, d, |c| c, 1.0), gaussian(values, d)),
+        truth: gaussian,
+        summary: "smooth, a Gaussian",
+        formula: "exp(-sum of c_j^2 (x_j - w_j)^2)",
+        ..BASE
+    },
+    Integrand {
+        name: "genz-continuous",
+        id: integrand::CONTINUOUS,
+        parameters: &[difficulty(&[20.4])],
+        prepare: |values, d| dominant(peaked(values, d, |c| c, 1.0), continuous(values, d)),
+        truth: continuous,
+        summary: "continuous, with kinks",
+        formula: "exp(-sum of c_j |x_j - w_j|)",
+        ..BASE
+    },
+    Integrand {
+        name: "genz-discontinuous",
+        id: integrand::DISCONTINUOUS,
+        parameters: &[difficulty(&[4.3])],
+        prepare: discontinuous_words,
+        truth: discontinuous,
+        error: 2.5e-6,
+        examples: &[
+            (&[0.001], 1),
+            (&[20.0], 1),
+            (&[2.0], 3),
+            (&[4.3], 8),
+            (&[4.3], 64),
+        ],
+        summary: "discontinuous in the first two coordinates",
+        formula: "0 where x_0 > w_0 or x_1 > w_1, else exp(sum of c_j x_j)",
+        ..BASE
+    },
+    Integrand {
+        name: "gaussian-peak",
+        id: integrand::GAUSSIAN,
+        default_dimensions: 1,
+        parameters: &[
+            Parameter {
+                name: "sigma",
+                size: 1,
+                default: Some(&[1e-3]),
+                domain: "it must be from 1e-6 to 1, and so large for its dimensions that the \
+                         mean is at least 2^-34 of the peak",
+                summary: "standard deviation",
+            },
+            Parameter {
+                name: "centre",
+                size: 1,
+                default: Some(&[0.381_966_011_250_105]),
+                domain: "it must be from 0 to 0.999",
+                summary: "its place along each axis",
+            },
+        ],
+        prepare: |values, d| {
+            let c = within(values, 0, 1e-6, 1.0)?.recip() / SQRT_2;
+            within(values, 1, 0.0, 0.999)?;
+            let [m, e] = real_words(c);
+            let columns = vec![[m, e, centre(values), 0]; d as usize];
+            dominant(
+                Ok(Coefficients::real([0; 4], columns, 1.0)),
+                gaussian_peak(values, d),
+            )
+        },
+        truth: gaussian_peak,
+        examples: &[
+            (&[1e-3, 0.4], 1),
+            (&[1e-6, 0.381_966_011_250_105], 1),
+            (&[1e-6, 0.0], 1),
+            (&[1.0, 0.999], 64),
+            (&[0.2, 0.5], 3),
+        ],
+        summary: "nearly a delta",
+        formula: "exp(-sum of (x_j - centre)^2 / (2 sigma^2))",
+        source: "the usual trap of uniform sampling",
+        ..BASE
+    },
+    Integrand {
+        name: "sobol-g",
+        id: integrand::SOBOL_G,
+        parameters: &[Parameter {
+            name: "growth",
+            size: 1,
+            default: Some(&[1.0]),
+            domain: "it must be from 0.25 to 1000",
+            summary: "a_j = growth j, j from 0 on: small where all variables matter",
+        }],
+        prepare: sobol_g,
+        truth: |_, _| 1.0,
+        examples: &[(&[1.0], 8), (&[0.25], 64), (&[1000.0], 3), (&[1.0], 1)],
+        summary: "kinks in the middle, and variables of declining weight",
+        formula: "product of (|4 x_j - 2| + a_j) / (1 + a_j)",
+        source: "Saltelli and Sobol 1995",
+        ..BASE
+    },
+];
+
+/// c_j.
+fn rates(difficulty: f64, dimensions: u32) -> impl Iterator<Item = f64> + Clone {
+    let d = f64::from(dimensions);
+    (0..dimensions).map(move |j| difficulty * (2.0 * f64::from(j) + 1.0) / (d * d))
+}
+
+/// w_j, a fraction of 2^32.
+fn place(j: u32) -> u32 {
+    // (sqrt(5) - 1) / 2 * 2^32.
+    (j + 1).wrapping_mul(0x9e37_79b9)
+}
+
+/// c_j and w_j of every dimension.
+fn pairs(values: &[f64], dimensions: u32) -> impl Iterator<Item = (f64, f64)> {
+    rates(values[0], dimensions).zip((0..).map(|j| unit(place(j))))
+}
+
+/// A real of each c_j, and w_j.
+fn peaked(values: &[f64], dimensions: u32, of: fn(f64) -> f64, peak: f64) -> Checked {
+    let h = within(values, 0, 0.001, 100.0)?;
+    let column = |(c, j)| {
+        let [m, e] = real_words(of(c));
+        [m, e, place(j), 0]
+    };
+    let columns = rates(h, dimensions).zip(0..).map(column).collect();
+    Ok(Coefficients::real([0; 4], columns, peak))
+}
+
+/// Refuses what would lose its mean below the unit of its terms.
+fn dominant(made: Checked, truth: f64) -> Checked {
+    made.and_then(|made| {
+        let kept = truth >= LEAST_SHARE * made.peak;
+        kept.then_some(made).ok_or(0)
+    })
+}
+
+fn oscillatory(values: &[f64], dimensions: u32) -> Checked {
+    let h = within(values, 0, 0.001, 100.0)?;
+    let column = |c: f64| {
+        let turns = (c / TAU * 4_294_967_296.0).round() as u64;
+        [turns as u32, (turns >> 32) as u32, 0, 0]
+    };
+    let columns = rates(h, dimensions).map(column).collect();
+    Ok(Coefficients::real([place(0), 0, 0, 0], columns, 1.0))
+}
+
+fn product_peak(values: &[f64], dimensions: u32) -> f64 {
+    let factor = |(c, w): (f64, f64)| c * ((c * (1.0 - w)).atan() + (c * w).atan());
+    pairs(values, dimensions).map(factor).product()
+}
+
+/// With (1 + s)^-(d+1) = 1/d! * integral of t^d e^(-t (1 + s)) dt, the integral over x is
+/// 1/d! * integral of e^-t * product of (1 - e^(-c_j t)) / c_j dt, which has no
+/// cancellation; in y = ln t the trapezoidal rule errs by e^(-pi^2 / step).
+fn corner_peak(values: &[f64], dimensions: u32) -> f64 {
+    const STEPS: i32 = 16;
+    let factorial: f64 = (1..=dimensions).map(|k| f64::from(k).ln()).sum();
+    let rates = rates(values[0], dimensions);
+    let term = |step: i32| {
+        let y = f64::from(step) / f64::from(STEPS);
+        let t = y.exp();
+        let logs = rates.clone().map(|c| (-(-c * t).exp_m1() / c).ln());
+        (y - t - factorial + logs.sum::<f64>()).exp()
+    };
+    // Below, t^(d+1) is under 2^-57; above, e^-t.
+    (-40 * STEPS..8 * STEPS).map(term).sum::<f64>() / f64::from(STEPS)
+}
+
+/// sqrt(pi) / 2 * (erf b - erf -a) / c.
+fn bell(c: f64, a: f64, b: f64) -> f64 {
+    let half_erf = |x: f64| normal_mass(SQRT_2 * x);
+    PI.sqrt() * (half_erf(a) + half_erf(b)) / c
+}
+
+fn gaussian(values: &[f64], dimensions: u32) -> f64 {
+    let factor = |(c, w): (f64, f64)| bell(c, c * w, c * (1.0 - w));
+    pairs(values, dimensions).map(factor).product()
+}
+
+fn continuous(values: &[f64], dimensions: u32) -> f64 {
+    let factor = |(c, w): (f64, f64)| (-(-c * w).exp_m1() - (-c * (1.0 - w)).exp_m1()) / c;
+    pairs(values, dimensions).map(factor).product()
+}
+
+fn discontinuous_words(values: &[f64], dimensions: u32) -> Checked {
+    let h = within(values, 0, 0.001, 100.0)?;
+    let limits = (0..dimensions).map(|j| if j < 2 { unit(place(j)) } else { 1.0 });
+    let largest: f64 = rates(h, dimensions).zip(limits).map(|(c, w)| c * w).sum();
+    let mut made = peaked(values, dimensions, |c| c, largest.exp())?;
+    for column in made.columns.iter_mut().skip(2) {
+        // Nothing is beyond this.
+        column[2] = u32::MAX;
+    }
+    dominant(Ok(made), discontinuous(values, dimensions))
+}
+
+fn discontinuous(values: &[f64], dimensions: u32) -> f64 {
+    let factor = |(j, (c, w)): (usize, (f64, f64))| (c * if j < 2 { w } else { 1.0 }).exp_m1() / c;
+    pairs(values, dimensions).enumerate().map(factor).product()
+}
+
+/// The centre, a fraction of 2^32.
+fn centre(values: &[f64]) -> u32 {
+    (values[1] * 4_294_967_296.0).round() as u32
+}
+
+fn gaussian_peak(values: &[f64], dimensions: u32) -> f64 {
+    let c = values[0].recip() / SQRT_2;
+    let w = unit(centre(values));
+    bell(c, c * w, c * (1.0 - w)).powi(dimensions as i32)
+}
+
+fn sobol_g(values: &[f64], dimensions: u32) -> Checked {
+    let growth = within(values, 0, 0.25, 1000.0)?;
+    let weights = (0..dimensions).map(|j| growth * f64::from(j));
+    let column = |a: f64| {
+        let [[m, e], [share_m, share_e]] = [real_words(a), real_words(1.0 / (1.0 + a))];
+        [m, e, share_m, share_e]
+    };
+    let peak = weights.clone().map(|a| (2.0 + a) / (1.0 + a)).product();
+    Ok(Coefficients::real(
+        [0; 4],
+        weights.map(column).collect(),
+        peak,
+    ))
+}

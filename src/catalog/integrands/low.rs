@@ -1,0 +1,170 @@
+//! Integrands of one to three dimensions, and checkerboards.
+
+use super::{Coefficients, Integrand, Parameter, real_words, within};
+use crate::interface::integrand;
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// What these integrands have in common.
+const BASE: Integrand = Integrand {
+    name: "",
+    id: 0,
+    dimensions: (1, 1),
+    default_dimensions: 1,
+    parameters: &[],
+    prepare: |_, _| Ok(Coefficients::exact(0, 1.0)),
+    truth: |_, _| 0.0,
+    error: 0.0,
+    examples: &[(&[], 1)],
+    summary: "",
+    formula: "",
+    source: "",
+};
+
+const PI_4: f64 = PI * PI * PI * PI;
+
+/// The integrands of this group.
+pub(super) const INTEGRANDS: &[Integrand] = &[
+    Integrand {
+        name: "x-squared",
+        id: integrand::X_SQUARED,
+        prepare: |_, _| Ok(Coefficients::exact(64, 1.0)),
+        truth: |_, _| 1.0 / 3.0,
+        summary: "the square, exact in 64 bits",
+        formula: "x^2",
+        source: "the plainest integral of all",
+        ..BASE
+    },
+    Integrand {
+        name: "offset",
+        id: integrand::OFFSET,
+        parameters: &[Parameter {
+            name: "offset",
+            size: 1,
+            default: Some(&[1e6]),
+            domain: "it must be a whole number from 0 to 4294967295",
+            summary: "what is added to x",
+        }],
+        prepare: |values, _| {
+            let offset = within(values, 0, 0.0, u32::MAX.into())?;
+            if offset.fract() != 0.0 {
+                return Err(0);
+            }
+            let coefficients = Coefficients::exact(32, offset + 1.0);
+            Ok(Coefficients {
+                head: [offset as u32, 0, 0, 0],
+                ..coefficients
+            })
+        },
+        truth: |values, _| values[0] + 0.5,
+        examples: &[(&[1e6], 1), (&[0.0], 1), (&[4_294_967_295.0], 1)],
+        summary: "a mean of millions of standard deviations, exact in 64 bits",
+        formula: "offset + x",
+        source: "Chan, Golub and LeVeque 1983: where variances in floats fail",
+        ..BASE
+    },
+    Integrand {
+        name: "inverse-root",
+        id: integrand::INVERSE_ROOT,
+        // At x = 2^-33 it is 2^16.5.
+        prepare: |_, _| {
+            Ok(Coefficients::real(
+                [0; 4],
+                Vec::new(),
+                92_681.900_023_683_16,
+            ))
+        },
+        truth: |_, _| 2.0,
+        error: 4e-9,
+        summary: "a pole at 0, and no variance; x in the middle of its cell of 2^-32",
+        formula: "1 / sqrt(x); over all cells the mean is 2 - 9.23e-6",
+        source: "Owen 2006, Halton sequences avoid the origin",
+        ..BASE
+    },
+    Integrand {
+        name: "disk-step",
+        id: integrand::DISK_STEP,
+        dimensions: (2, 2),
+        default_dimensions: 2,
+        truth: |_, _| FRAC_PI_4,
+        examples: &[(&[], 2)],
+        summary: "a quarter of the unit disk, exact",
+        formula: "1 where x^2 + y^2 < 1, else 0",
+        source: "the usual estimate of pi",
+        ..BASE
+    },
+    Integrand {
+        name: "checkerboard",
+        id: integrand::CHECKERBOARD,
+        dimensions: (1, 64),
+        default_dimensions: 2,
+        parameters: &[Parameter {
+            name: "cells",
+            size: 1,
+            default: Some(&[7.0]),
+            domain: "it must be a whole number from 1 to 65536",
+            summary: "cells along each axis",
+        }],
+        prepare: |values, _| {
+            let cells = within(values, 0, 1.0, 65536.0)?;
+            if cells.fract() != 0.0 {
+                return Err(0);
+            }
+            let coefficients = Coefficients::exact(0, 1.0);
+            Ok(Coefficients {
+                head: [cells as u32, 0, 0, 0],
+                ..coefficients
+            })
+        },
+        truth: checkerboard,
+        examples: &[(&[7.0], 2), (&[1.0], 1), (&[65536.0], 2), (&[3.0], 64)],
+        summary: "a checkerboard, also of many dimensions, exact",
+        formula: "1 where the sum of floor(cells x_j) is even, else 0",
+        source: "the eye's favourite test of aliasing",
+        ..BASE
+    },
+    Integrand {
+        name: "ishigami",
+        id: integrand::ISHIGAMI,
+        dimensions: (3, 3),
+        default_dimensions: 3,
+        parameters: &[
+            Parameter {
+                name: "a",
+                size: 1,
+                default: Some(&[7.0]),
+                domain: NOT_NEGATIVE,
+                summary: "weight of the second variable",
+            },
+            Parameter {
+                name: "b",
+                size: 1,
+                default: Some(&[0.1]),
+                domain: NOT_NEGATIVE,
+                summary: "weight of the third",
+            },
+        ],
+        prepare: |values, _| {
+            let a = within(values, 0, 0.0, 1000.0)?;
+            let b = within(values, 1, 0.0, 1000.0)?;
+            let [[a_m, a_e], [b_m, b_e]] = [real_words(a), real_words(b * PI_4)];
+            let head = [a_m, a_e, b_m, b_e];
+            Ok(Coefficients::real(head, Vec::new(), 1.0 + a + b * PI_4))
+        },
+        truth: |values, _| values[0] / 2.0,
+        error: 1e-8,
+        examples: &[(&[7.0, 0.1], 3), (&[0.0, 0.0], 3), (&[1000.0, 1000.0], 3)],
+        summary: "three variables that act together",
+        formula: "sin t_1 + a sin^2 t_2 + b t_3^4 sin t_1, t = pi (2 x - 1)",
+        source: "Ishigami and Homma 1990",
+    },
+];
+
+const NOT_NEGATIVE: &str = "it must be from 0 to 1000";
+
+/// Of an odd number k of cells one more is even than odd in each row: (1 + k^-d) / 2.
+fn checkerboard(values: &[f64], dimensions: u32) -> f64 {
+    if values[0] % 2.0 == 0.0 {
+        return 0.5;
+    }
+    0.5 + 0.5 * values[0].powi(-(dimensions as i32))
+}

@@ -1,0 +1,187 @@
+//! `corput estimate`.
+
+use super::args::EstimateArgs;
+use super::{generate, host, interrupt, print, progress};
+use corput::bulk;
+use corput::catalog::{Options, Problem, Request, Scramble, Sequence};
+use corput::estimate::Estimate;
+use corput::interface::Column;
+use corput::kernels::Estimator;
+use corput::{Error, Result};
+use serde_json::{Map, Value, json};
+use std::time::Instant;
+
+pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
+    let problem = Problem::parse(&args.integrand)?;
+    let request = request(args, &problem)?;
+    for warning in &request.warnings {
+        eprintln!("corput: warning: {warning}");
+    }
+    let result = made(args, &problem, &request)?;
+    if args.json {
+        let document = document(&problem, &request, &result);
+        print(&serde_json::to_string_pretty(&document)?);
+    } else {
+        print(&text(&problem, &request, &result));
+    }
+    Ok(())
+}
+
+/// The points, of which the integrand says the dimensions.
+fn request(args: &EstimateArgs, problem: &Problem) -> Result<Request> {
+    let (name, scramble) = match args.sampler.split_once(':') {
+        Some((name, scramble)) => (name, Some(scramble)),
+        None => (args.sampler.as_str(), None),
+    };
+    let known: Vec<&str> = corput::catalog::SEQUENCES
+        .iter()
+        .map(|one| one.name())
+        .collect();
+    let sequence =
+        Sequence::from_name(name).map_err(|_| Error::unknown_name("sampler", name, &known))?;
+    Request::new(&Options {
+        first: args.start,
+        dimensions: Some(problem.dimensions().into()),
+        seed: args.seed,
+        scramble: scramble
+            .map(|name| generate::scramble(sequence, name))
+            .transpose()?,
+        fractions: true,
+        ..Options::new(sequence, args.count)
+    })
+}
+
+/// An estimate, and what made it.
+struct Made {
+    estimate: Estimate,
+    device: String,
+    kernel: Option<&'static str>,
+    device_ms: Option<f64>,
+    total_ms: f64,
+}
+
+fn made(args: &EstimateArgs, problem: &Problem, request: &Request) -> anyhow::Result<Made> {
+    let asked = host::asked(args.device.as_deref());
+    if host::is_cpu(asked.as_deref()) {
+        let begun = Instant::now();
+        let estimate = bulk::estimate(problem, request, 0, request.count)?;
+        return Ok(Made {
+            estimate,
+            device: "cpu".to_owned(),
+            kernel: None,
+            device_ms: None,
+            total_ms: begun.elapsed().as_secs_f64() * 1e3,
+        });
+    }
+    let device = host::open(args.device.as_deref())?;
+    let mut estimator = Estimator::new(&device, problem, request)?;
+    let bar = progress::points(request.count);
+    interrupt::clean_up();
+    let begun = Instant::now();
+    let (estimate, timing) = estimator.run(0, request.count, &mut |done| {
+        bar.set_position(done);
+        interrupt::stop(done, request.count)
+    })?;
+    let total_ms = begun.elapsed().as_secs_f64() * 1e3;
+    bar.finish_and_clear();
+    host::validated(device.instance())?;
+    Ok(Made {
+        estimate,
+        device: host::line(device.info()),
+        kernel: Some(estimator.kernel_name()),
+        device_ms: timing.device_ns.map(|ns| ns * 1e-6),
+        total_ms,
+    })
+}
+
+/// Whether the points are independent, so that their variance says how far off the mean is.
+fn independent(request: &Request) -> bool {
+    let random = |column: &Column| matches!(column, Column::Random { .. });
+    request.columns.iter().all(random)
+}
+
+fn sampler(request: &Request) -> String {
+    match request.scramble {
+        Scramble::None => request.sequence.name().to_owned(),
+        scramble => format!("{}:{}", request.sequence.name(), scramble.name()),
+    }
+}
+
+fn text(problem: &Problem, request: &Request, made: &Made) -> String {
+    let estimate = &made.estimate;
+    let mean = estimate.mean().unwrap_or(f64::NAN);
+    let mut lines = vec![
+        format!(
+            "{} in {} dimension{}, {} points of {} from {} on",
+            problem.integrand().name,
+            problem.dimensions(),
+            if problem.dimensions() == 1 { "" } else { "s" },
+            estimate.count(),
+            sampler(request),
+            request.first,
+        ),
+        format!("mean            {mean}"),
+        format!("truth           {}", problem.truth()),
+        format!("error           {:+.3e}", mean - problem.truth()),
+    ];
+    lines.push(match (independent(request), estimate.standard_error()) {
+        (true, Some(error)) => format!("standard error  {error:.3e}"),
+        (true, None) => "standard error  none of one point".to_owned(),
+        (false, _) => format!(
+            "standard error  none: points of {} are not independent{}",
+            request.sequence.name(),
+            if request.scramble.is_random() {
+                "; compare several seeds"
+            } else {
+                ""
+            },
+        ),
+    });
+    if let Some(variance) = estimate.variance() {
+        lines.push(format!("variance        {variance}"));
+    }
+    let rate = estimate.count() as f64 / made.total_ms * 1e-6;
+    lines.push(format!(
+        "time            {:.3} ms, {rate:.3} G points/s, on {}",
+        made.total_ms, made.device
+    ));
+    if let Some(device_ms) = made.device_ms {
+        lines.push(format!("device time     {device_ms:.3} ms"));
+    }
+    lines.join("\n")
+}
+
+fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
+    let estimate = &made.estimate;
+    let names = problem.integrand().parameters.iter().map(|one| one.name);
+    let parameters: Map<String, Value> = names
+        .zip(problem.values())
+        .map(|(name, value)| (name.to_owned(), json!(value)))
+        .collect();
+    let independent = independent(request);
+    let mean = estimate.mean();
+    json!({
+        "integrand": problem.integrand().name,
+        "dimensions": problem.dimensions(),
+        "parameters": parameters,
+        "sampler": request.sequence.name(),
+        "scramble": request.scramble.name(),
+        "seed": request.seed,
+        "start": request.first,
+        "count": estimate.count(),
+        "mean": mean,
+        "variance": estimate.variance(),
+        "independent": independent,
+        "standard_error": estimate.standard_error().filter(|_| independent),
+        "truth": problem.truth(),
+        "error": mean.map(|mean| mean - problem.truth()),
+        "term_error": problem.integrand().error * problem.coefficients().peak,
+        "sum": estimate.sum().to_string(),
+        "sum_of_squares": estimate.squares().to_string(),
+        "scale": estimate.scale(),
+        "device": made.device,
+        "kernel": made.kernel,
+        "device_ms": made.device_ms,
+        "total_ms": made.total_ms,
+    })
+}

@@ -1,0 +1,116 @@
+//! Estimates: a count, and exact sums of terms and of their squares. They merge in any
+//! grouping to the same bits, and only what is read from them is rounded, once.
+
+mod wide;
+
+pub use wide::U256;
+
+/// Terms of an estimate at most: up to here no sum overflows.
+const MOST: u64 = 1 << 62;
+
+/// Exact sums over the terms of some samples, in units of 2^-scale.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Estimate {
+    count: u64,
+    scale: i32,
+    sum: i128,
+    squares: U256,
+}
+
+impl Estimate {
+    /// That of no samples.
+    #[must_use]
+    pub fn new(scale: i32) -> Self {
+        Self {
+            count: 0,
+            scale,
+            sum: 0,
+            squares: U256::default(),
+        }
+    }
+
+    /// From the words of a sum, the lowest first: 128 bits in two's complement, and 192.
+    #[must_use]
+    pub fn from_words(count: u32, scale: i32, total: [u32; 4], squares: [u32; 6]) -> Self {
+        let pair = |low: u32, high: u32| u64::from(low) | (u64::from(high) << 32);
+        let [a, b, c, d] = total;
+        let [s0, s1, s2, s3, s4, s5] = squares;
+        Self {
+            count: count.into(),
+            scale,
+            sum: (u128::from(pair(a, b)) | (u128::from(pair(c, d)) << 64)) as i128,
+            squares: U256::new([pair(s0, s1), pair(s2, s3), pair(s4, s5), 0]),
+        }
+    }
+
+    /// Both together; `None` for sums of different scales, or of more than 2^62 terms.
+    #[must_use]
+    pub fn merge(self, other: Self) -> Option<Self> {
+        let count = self.count.checked_add(other.count)?;
+        if count > MOST || self.scale != other.scale {
+            return None;
+        }
+        Some(Self {
+            count,
+            scale: self.scale,
+            sum: self.sum.checked_add(other.sum)?,
+            squares: self.squares.checked_add(other.squares)?,
+        })
+    }
+
+    /// Terms.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// Terms are in units of 2^-scale.
+    #[must_use]
+    pub fn scale(&self) -> i32 {
+        self.scale
+    }
+
+    /// The sum of the terms, in their unit.
+    #[must_use]
+    pub fn sum(&self) -> i128 {
+        self.sum
+    }
+
+    /// The sum of the squares of the terms, in units of 2^(-2 scale).
+    #[must_use]
+    pub fn squares(&self) -> U256 {
+        self.squares
+    }
+
+    /// The mean, correctly rounded; `None` of no terms.
+    #[must_use]
+    pub fn mean(&self) -> Option<f64> {
+        if self.count == 0 {
+            return None;
+        }
+        let magnitude = U256::from_u128(self.sum.unsigned_abs());
+        let mean = magnitude.over(self.count.into(), -self.scale);
+        Some(if self.sum < 0 { -mean } else { mean })
+    }
+
+    /// The sample variance, with n - 1, correctly rounded; `None` of fewer than two terms.
+    #[must_use]
+    pub fn variance(&self) -> Option<f64> {
+        if self.count < 2 {
+            return None;
+        }
+        // n S2 - S1^2 is at most 2^252, and never negative (Cauchy and Schwarz).
+        let (n, less) = (u128::from(self.count), u128::from(self.count - 1));
+        let spread = self
+            .squares
+            .checked_mul(self.count)?
+            .checked_sub(U256::square(self.sum.unsigned_abs()))?;
+        Some(spread.over(n * less, -2 * self.scale))
+    }
+
+    /// sqrt(variance / n): the standard error of the mean of independent samples.
+    #[must_use]
+    pub fn standard_error(&self) -> Option<f64> {
+        Some((self.variance()? / self.count as f64).sqrt())
+    }
+}

@@ -1,0 +1,77 @@
+//! The integrands in `f64`, from their formulas.
+
+use std::f64::consts::{PI, TAU};
+
+const UNIT: f64 = 1.0 / 4_294_967_296.0;
+
+/// The integrand of this name at a point of fractions of 2^32; NaN for a name that is none.
+///
+/// # Panics
+/// For fewer parameters or dimensions than the integrand has.
+#[must_use]
+pub fn integrand(name: &str, values: &[f64], point: &[u32]) -> f64 {
+    let x: Vec<f64> = point.iter().map(|&u| f64::from(u) * UNIT).collect();
+    let d = x.len() as f64;
+    // Genz's coefficients: x, c and w of each dimension.
+    let genz = x.iter().enumerate().map(|(j, &x)| {
+        let c = values[0] * (2.0 * j as f64 + 1.0) / (d * d);
+        (x, c, golden(j))
+    });
+    match name {
+        "x-squared" => x[0] * x[0],
+        "offset" => values[0] + x[0],
+        "inverse-root" => 1.0 / ((f64::from(point[0]) + 0.5) * UNIT).sqrt(),
+        "disk-step" => {
+            let [a, b] = [u128::from(point[0]), u128::from(point[1])];
+            f64::from(u8::from(a * a + b * b < 1 << 64))
+        }
+        "checkerboard" => {
+            let cell = |u: &u32| (u128::from(*u) * values[0] as u128) >> 32;
+            f64::from(u8::from(point.iter().map(cell).sum::<u128>() % 2 == 0))
+        }
+        "ishigami" => {
+            let t = [0, 1, 2].map(|j| PI * (2.0 * x[j] - 1.0));
+            let rest = values[1] * t[2].powi(4) * t[0].sin();
+            t[0].sin() + values[0] * t[1].sin().powi(2) + rest
+        }
+        "genz-oscillatory" => (TAU * golden(0) + genz.map(|(x, c, _)| c * x).sum::<f64>()).cos(),
+        "genz-product-peak" => {
+            let factor = |(x, c, w): (f64, f64, f64)| 1.0 / (c.powi(-2) + (x - w).powi(2));
+            genz.map(factor).product()
+        }
+        "genz-corner-peak" => (1.0 + genz.map(|(x, c, _)| c * x).sum::<f64>()).powf(-(d + 1.0)),
+        "genz-gaussian" => {
+            let term = |(x, c, w): (f64, f64, f64)| (c * (x - w)).powi(2);
+            (-genz.map(term).sum::<f64>()).exp()
+        }
+        "genz-continuous" => {
+            let term = |(x, c, w): (f64, f64, f64)| c * (x - w).abs();
+            (-genz.map(term).sum::<f64>()).exp()
+        }
+        "genz-discontinuous" => {
+            if genz.clone().take(2).any(|(x, _, w)| x > w) {
+                return 0.0;
+            }
+            genz.map(|(x, c, _)| c * x).sum::<f64>().exp()
+        }
+        "gaussian-peak" => {
+            // The centre is a fraction of 2^32 as well.
+            let centre = (values[1] / UNIT).round() * UNIT;
+            let term = |x: &f64| ((x - centre) / values[0]).powi(2);
+            (-0.5 * x.iter().map(term).sum::<f64>()).exp()
+        }
+        "sobol-g" => {
+            let factor = |(j, x): (usize, &f64)| {
+                let a = values[0] * j as f64;
+                ((4.0 * x - 2.0).abs() + a) / (1.0 + a)
+            };
+            x.iter().enumerate().map(factor).product()
+        }
+        _ => f64::NAN,
+    }
+}
+
+/// frac((j + 1) g), for g the golden ratio's fraction cut to 32 bits.
+fn golden(j: usize) -> f64 {
+    ((j as f64 + 1.0) * (2_654_435_769.0 * UNIT)).fract()
+}

@@ -1,0 +1,374 @@
+//! Exact sums, what is read from them, and the integrands' integrals.
+
+use corput::bulk::estimate;
+use corput::catalog::{Integrand, Options, Problem, Request, Scramble, Sequence, integrands};
+use corput::estimate::{Estimate, U256};
+use corput::glam::{UVec2, uvec2};
+use corput::judge;
+use corput::reference::permute::permute_mix as mix;
+use corput::reference::real::{Real, real_zero};
+use corput::reference::sum::{Sum, Term, sum_add, sum_zero, term};
+
+fn problem(text: &str) -> Problem {
+    Problem::parse(text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn points(problem: &Problem, sequence: Sequence, seed: Option<u64>, count: u64) -> Request {
+    let scramble = (sequence == Sequence::Sobol && seed.is_some()).then_some(Scramble::OwenHash);
+    let options = Options {
+        dimensions: Some(problem.dimensions().into()),
+        seed,
+        scramble,
+        fractions: true,
+        ..Options::new(sequence, count)
+    };
+    Request::new(&options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn sums(problem: &Problem, request: &Request) -> Estimate {
+    estimate(problem, request, 0, request.count).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn number(v: UVec2) -> u64 {
+    u64::from(v.x) | (u64::from(v.y) << 32)
+}
+
+/// Terms whose words are at their ends and in between, with both signs.
+fn hostile_terms() -> Vec<Term> {
+    let ends = [0, 1, 0x7fff_ffff, 0x8000_0000, 0xffff_fffe, u32::MAX];
+    let mut list = Vec::new();
+    for x in ends {
+        for y in ends {
+            for negative in [false, true] {
+                let m = uvec2(x, y);
+                list.push(Term { m, negative });
+            }
+        }
+    }
+    list.extend((0..4000).map(|n| Term {
+        m: uvec2(mix(2 * n), mix(2 * n + 1)),
+        negative: mix(n ^ 0x55) & 1 == 1,
+    }));
+    list
+}
+
+fn words(sum: Sum) -> Estimate {
+    let ([a, b, c, d], [e, f]) = (sum.squares.to_array(), sum.squares_high.to_array());
+    Estimate::from_words(0, 0, sum.total.to_array(), [a, b, c, d, e, f])
+}
+
+/// The sums of terms in integers of the host: squares in two halves.
+fn expected(terms: &[Term]) -> (i128, U256) {
+    let mut total = 0i128;
+    let (mut low, mut high) = (0u128, 0u64);
+    for term in terms {
+        let m = i128::from(number(term.m));
+        total += if term.negative { -m } else { m };
+        let square = u128::from(number(term.m)).pow(2);
+        let (sum, carry) = low.overflowing_add(square);
+        (low, high) = (sum, high + u64::from(carry));
+    }
+    (total, U256::new([low as u64, (low >> 64) as u64, high, 0]))
+}
+
+#[test]
+fn sums_of_hostile_terms_are_exact() {
+    let terms = hostile_terms();
+    let mut sum = sum_zero();
+    for (n, &term) in terms.iter().enumerate() {
+        sum = sum_add(sum, term);
+        let got = words(sum);
+        let (total, squares) = expected(&terms[..=n]);
+        assert_eq!((got.sum(), got.squares()), (total, squares), "{n}");
+    }
+    // Zeros of either sign change nothing.
+    for negative in [false, true] {
+        let m = UVec2::ZERO;
+        assert_eq!(sum_add(sum, Term { m, negative }), sum);
+    }
+}
+
+#[test]
+fn terms_are_the_nearest_integers() {
+    assert_eq!(number(term(real_zero(), 60).m), 0);
+    for n in 0..2000u32 {
+        let ends = [0x8000_0000, 0x8000_0001, 0xc000_0000, u32::MAX];
+        let m = if n % 3 == 0 {
+            ends[n as usize / 3 % 4]
+        } else {
+            mix(n) | 0x8000_0000
+        };
+        for place in -70..40 {
+            let negative = mix(n) & 1 == 1;
+            let scale = (mix(n) % 128) as i32 - 64;
+            let real = Real {
+                m,
+                e: place - scale,
+                negative,
+            };
+            // m * 2^place, and a half, cut.
+            let wanted = match place {
+                0.. => u64::try_from(u128::from(m) << place).unwrap_or(u64::MAX),
+                -60..0 => ((u128::from(m) + (1u128 << (-place - 1))) >> -place) as u64,
+                _ => 0,
+            };
+            let got = term(real, scale);
+            assert_eq!(
+                (number(got.m), got.negative),
+                (wanted, negative),
+                "{m:x} {place}"
+            );
+        }
+    }
+}
+
+#[test]
+fn quotients_are_correctly_rounded() {
+    // Of integers below 2^53 the division of f64 is.
+    for n in 0..20_000u32 {
+        let a = (u64::from(mix(n)) << 21 | u64::from(mix(n + 1)) >> 11) >> (mix(n + 2) % 53);
+        let b = ((u64::from(mix(n + 3)) << 21) >> (mix(n + 4) % 53)).max(1);
+        let quotient = a as f64 / b as f64;
+        for shift in [0, 7, 64, 100] {
+            let wide = shifted(a, shift);
+            assert_eq!(wide.over(b.into(), -(shift as i32)), quotient, "{a} / {b}");
+        }
+    }
+    // Halves go to even, and what is left decides.
+    let half = U256::from_u128((1 << 53) + 1);
+    assert_eq!(half.over(1, 0), 9_007_199_254_740_992.0);
+    let far = shifted((1 << 53) + 1, 190).checked_add(U256::from_u128(1));
+    assert_eq!(
+        far.map(|far| far.over(1, -190)),
+        Some(9_007_199_254_740_994.0)
+    );
+    assert_eq!(U256::from_u128(u128::MAX).over(1, 896), f64::INFINITY);
+    assert_eq!(U256::default().over(3, 0), 0.0);
+}
+
+fn shifted(a: u64, shift: u32) -> U256 {
+    let low = u128::from(a) << (shift % 64);
+    let parts = [low as u64, (low >> 64) as u64];
+    match shift / 64 {
+        0 => U256::new([parts[0], parts[1], 0, 0]),
+        1 => U256::new([0, parts[0], parts[1], 0]),
+        _ => U256::new([0, 0, parts[0], parts[1]]),
+    }
+}
+
+#[test]
+fn wide_integers_multiply_and_print() {
+    let x = u128::MAX;
+    // (2^128 - 1)^2 = 2^256 - 2^129 + 1.
+    let square = U256::square(x);
+    assert_eq!(square, U256::new([1, 0, u64::MAX - 1, u64::MAX]));
+    assert_eq!(
+        square.to_string(),
+        "115792089237316195423570985008687907852589419931798687112530834793049593217025"
+    );
+    assert_eq!(square.checked_mul(2), None);
+    assert_eq!(square.checked_add(square), None);
+    assert_eq!(U256::default().checked_sub(square), None);
+    assert_eq!(square.checked_sub(square), Some(U256::default()));
+    for n in 0..500 {
+        let a = u128::from(mix(n)) << 40 | u128::from(mix(n + 1));
+        let text = U256::from_u128(a).to_string();
+        assert_eq!(text, a.to_string());
+        let product = U256::from_u128(a).checked_mul(mix(n + 2).into());
+        assert_eq!(product, Some(U256::from_u128(a * u128::from(mix(n + 2)))));
+        assert_eq!(
+            U256::square(a >> 16),
+            U256::from_u128((a >> 16) * (a >> 16))
+        );
+    }
+    assert_eq!(
+        U256::from_u128(10u128.pow(36)).to_string(),
+        10u128.pow(36).to_string()
+    );
+}
+
+/// The first 2^24 points of Sobol's first dimension are the multiples of 2^-24.
+#[test]
+fn x_squared_over_a_grid_is_its_closed_form() {
+    const N: u128 = 1 << 24;
+    let x_squared = problem("x-squared");
+    let got = sums(
+        &x_squared,
+        &points(&x_squared, Sequence::Sobol, None, N as u64),
+    );
+    let squares = (N - 1) * N * (2 * N - 1) / 6;
+    let m = N - 1;
+    let fourths = m * (m + 1) * (2 * m + 1) / 6 * (3 * m * m + 3 * m - 1) / 5;
+    assert_eq!(got.sum(), (squares << 16) as i128);
+    // Of 116 bits, in units of 2^32.
+    assert_eq!(got.squares(), times_two_to_32(fourths));
+    assert_eq!(got.count(), N as u64);
+}
+
+fn times_two_to_32(x: u128) -> U256 {
+    U256::from_u128(x).checked_mul(1 << 32).expect("small")
+}
+
+/// A mean of a million standard deviations, where sums of f64 lose the variance.
+#[test]
+fn the_variance_under_a_large_mean_is_exact() {
+    const N: u64 = 1 << 20;
+    let offset = 288_675;
+    let problem = problem(&format!("offset:offset={offset}"));
+    let got = sums(&problem, &points(&problem, Sequence::VanDerCorput, None, N));
+    let n = N as f64;
+    // Multiples of 1/n from 0 on.
+    assert_eq!(got.mean(), Some(f64::from(offset) + 0.5 - 0.5 / n));
+    let variance = (n + 1.0) / (12.0 * n);
+    assert_eq!(got.variance(), Some(variance));
+    let (mut sum, mut squares) = (0f32, 0f32);
+    for k in 0..N {
+        let value = (f64::from(offset) + k as f64 / n) as f32;
+        sum += value;
+        squares += value * value;
+    }
+    let lost = f64::from(squares) / n - (f64::from(sum) / n).powi(2);
+    assert!((lost - variance).abs() > 100.0 * variance, "{lost}");
+}
+
+#[test]
+fn estimates_merge_in_any_grouping() {
+    let problem = problem("genz-oscillatory:d=3");
+    let request = points(&problem, Sequence::Random, Some(3), 10_007);
+    let whole = sums(&problem, &request);
+    for cuts in [
+        vec![1u64],
+        vec![5_000],
+        vec![1, 2, 3, 9_999],
+        (1..1_000).collect(),
+    ] {
+        let mut ends = cuts.clone();
+        ends.push(request.count);
+        let mut begin = 0;
+        let mut parts = Vec::new();
+        for end in ends {
+            let part = estimate(&problem, &request, begin, end - begin);
+            parts.push(part.unwrap_or_else(|error| panic!("{error}")));
+            begin = end;
+        }
+        let merge = |a: Estimate, b: &Estimate| a.merge(*b).expect("one scale");
+        let none = Estimate::new(whole.scale());
+        assert_eq!(parts.iter().fold(none, merge), whole);
+        assert_eq!(parts.iter().rev().fold(none, merge), whole);
+    }
+    assert_eq!(whole.merge(Estimate::new(whole.scale() + 1)), None);
+    let many = Estimate::from_words(u32::MAX, 0, [0; 4], [0; 6]);
+    let doubled = (0..31).try_fold(many, |sum, _| sum.merge(sum));
+    assert!((0..30).try_fold(many, |sum, _| sum.merge(sum)).is_some());
+    assert_eq!(doubled, None, "2^63 terms");
+    let none = Estimate::new(0);
+    assert_eq!((none.mean(), none.variance()), (None, None));
+    let one = Estimate::from_words(1, 0, [1, 0, 0, 0], [1, 0, 0, 0, 0, 0]);
+    assert_eq!((one.mean(), one.variance()), (Some(1.0), None));
+    let negative = Estimate::from_words(
+        2,
+        1,
+        [u32::MAX - 2, u32::MAX, u32::MAX, u32::MAX],
+        [9, 0, 0, 0, 0, 0],
+    );
+    assert_eq!(
+        (negative.mean(), negative.variance()),
+        (Some(-0.75), Some(1.125))
+    );
+}
+
+/// Every integral against another estimate of it: by the midpoint rule in f64 for one
+/// dimension, and by independent scrambles of Sobol points for more. The same test rejects
+/// an integral that is 2 % off.
+#[test]
+fn integrals_are_what_sums_come_to() {
+    for integrand in integrands() {
+        for (values, dimensions) in integrand.examples {
+            let problem = Problem::with_values(integrand, values, *dimensions)
+                .unwrap_or_else(|error| panic!("{error}"));
+            let (mean, margin) = match dimensions {
+                1 => midpoint(integrand, values),
+                _ => scrambled(&problem),
+            };
+            let truth = problem.truth();
+            let name = format!("{} {values:?} {dimensions}", integrand.name);
+            assert!(
+                (mean - truth).abs() <= margin,
+                "{name}: {mean}, not {truth} +- {margin}"
+            );
+            if *dimensions == 1 || *dimensions == 8 {
+                assert!(
+                    (mean - 1.02 * truth).abs() > margin,
+                    "{name}: {margin} sees nothing"
+                );
+            }
+        }
+    }
+}
+
+/// The mean of the judge's integrand over the middles of 2^16 cells, each of 2^16 fractions,
+/// and twice what half as many leave; a narrow peak takes more.
+fn midpoint(integrand: &Integrand, values: &[f64]) -> (f64, f64) {
+    let mean = |bits: u32| {
+        let half = 1u32 << (31 - bits);
+        let cell = |k: u32| judge::integrand(integrand.name, values, &[(k << (32 - bits)) + half]);
+        (0..1u32 << bits).map(cell).sum::<f64>() / f64::from(1u32 << bits)
+    };
+    let bits = if values.first().is_some_and(|v| *v <= 1e-5) {
+        23
+    } else {
+        20
+    };
+    let (fine, coarse) = (mean(bits), mean(bits - 1));
+    (fine, 4.0 * (fine - coarse).abs() + 1e-5 * fine.abs())
+}
+
+/// The mean of 16 independent estimates, and 4.1 of its standard errors, Student's
+/// two-sided 0.1 % of 15 degrees of freedom.
+fn scrambled(problem: &Problem) -> (f64, f64) {
+    let one = |seed| {
+        let request = points(problem, Sequence::Sobol, Some(seed), 1 << 12);
+        sums(problem, &request).mean().expect("points")
+    };
+    let means: Vec<f64> = (0..16).map(one).collect();
+    let mean = means.iter().sum::<f64>() / 16.0;
+    let variance = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / 15.0;
+    (mean, 4.1 * (variance / 16.0).sqrt() + 1e-8 * mean.abs())
+}
+
+#[test]
+fn problems_refuse_what_is_outside() {
+    for (text, word) in [
+        ("x-sqared", "did you mean `x-squared`"),
+        ("x-squared:d=2", "d is 2: it has 1"),
+        ("genz-gaussian:d=0", "from 1 to 64"),
+        ("genz-gaussian:d=65", "from 1 to 64"),
+        ("genz-gaussian:d=2.5", "whole number"),
+        ("genz-gaussian:dificulty=2", "did you mean `difficulty`"),
+        ("genz-gaussian:difficulty=0", "from 0.001 to 100"),
+        ("genz-gaussian:difficulty=nan", "from 0.001 to 100"),
+        ("genz-gaussian:difficulty=inf", "from 0.001 to 100"),
+        ("genz-gaussian:difficulty", "no key=number"),
+        ("genz-gaussian:d=2,d=2", "given twice"),
+        ("genz-corner-peak:d=64", "2^-34 of the peak"),
+        ("gaussian-peak:sigma=1e-6,d=2", "2^-34 of the peak"),
+        ("gaussian-peak:sigma=1e-7", "from 1e-6 to 1"),
+        ("offset:offset=0.5", "whole number"),
+        ("offset:offset=-1", "whole number"),
+        ("offset:offset=4294967296", "whole number"),
+        ("checkerboard:cells=0", "from 1 to 65536"),
+        ("", "unknown integrand"),
+        (":", "unknown integrand"),
+    ] {
+        let error = Problem::parse(text).expect_err(text);
+        assert_eq!(error.exit_code(), 2, "{text}");
+        assert!(error.to_string().contains(word), "{text}: {error}");
+    }
+    let disk = problem("disk-step");
+    let line = points(&problem("x-squared"), Sequence::Sobol, None, 8);
+    assert!(estimate(&disk, &line, 0, 8).is_err());
+    let request = points(&disk, Sequence::Sobol, None, 8);
+    assert!(estimate(&disk, &request, 1, 8).is_err());
+    assert!(estimate(&disk, &request, u64::MAX, 2).is_err());
+    assert!(estimate(&disk, &request, 8, 0).is_ok_and(|none| none.count() == 0));
+}

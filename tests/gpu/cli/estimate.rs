@@ -1,0 +1,135 @@
+//! `corput integrands` and `corput estimate`.
+
+use super::refused::assert_refused;
+use super::{Desk, skips};
+use corput::catalog::integrands;
+use serde_json::Value;
+
+fn document(desk: &Desk, line: &str) -> Value {
+    serde_json::from_str(&desk.say(line)).unwrap_or_else(|error| panic!("{line}: {error}"))
+}
+
+#[test]
+fn the_list_says_all_of_every_integrand() {
+    let desk = Desk::new();
+    let text = desk.say("integrands");
+    for integrand in integrands() {
+        let alone = desk.say(&format!("integrands {}", integrand.name));
+        assert!(alone.starts_with(integrand.name) && text.contains(alone.trim_end()));
+        for phrase in [integrand.summary, integrand.formula, integrand.source] {
+            assert!(alone.contains(phrase), "{}: no `{phrase}`", integrand.name);
+        }
+        for parameter in integrand.parameters {
+            assert!(alone.contains(&format!("{}=X", parameter.name)), "{alone}");
+            assert!(alone.contains(parameter.domain), "{alone}");
+        }
+    }
+    let json = document(&desk, "integrands --json");
+    let list = json["integrands"].as_array().expect("a list");
+    let names = list.iter().map(|one| one["name"].as_str());
+    assert!(names.eq(integrands().map(|one| Some(one.name))));
+}
+
+#[test]
+fn sums_are_the_same_everywhere() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    for line in [
+        "--integrand x-squared --sampler sobol --count 65536",
+        "--integrand disk-step --sampler halton --count 20000 --start 123456",
+        "--integrand genz-gaussian:d=3,difficulty=2 --sampler random --seed 5 --count 3000",
+        "--integrand sobol-g:d=5 --sampler sobol:owen --seed 9 --count 1000",
+    ] {
+        let line = format!("estimate --json {line}");
+        let cpu = document(&desk, &format!("{line} --device cpu"));
+        let device = document(&desk, &line);
+        for key in [
+            "sum",
+            "sum_of_squares",
+            "mean",
+            "variance",
+            "scale",
+            "count",
+        ] {
+            assert_eq!(cpu[key], device[key], "{line}: {key}");
+            assert!(!cpu[key].is_null(), "{line}: {key}");
+        }
+        assert!(
+            cpu["error"]
+                .as_f64()
+                .is_some_and(|error| error.abs() < 0.02),
+            "{cpu}"
+        );
+        let random = line.contains("random");
+        assert_eq!(cpu["standard_error"].is_null(), !random, "{line}");
+    }
+}
+
+#[test]
+fn an_estimate_says_what_it_is() {
+    let desk = Desk::new();
+    let line = "estimate --integrand x-squared --count 4 --device cpu --sampler";
+    let sobol = desk.say(&format!("{line} sobol"));
+    // 0, 1/16, 1/4 and 9/16.
+    assert!(sobol.contains("mean            0.21875\n"), "{sobol}");
+    assert!(sobol.contains("are not independent\n"), "{sobol}");
+    let owen = desk.say(&format!("{line} sobol:owen"));
+    assert!(owen.contains("compare several seeds"), "{owen}");
+    let random = desk.say(&format!("{line} random"));
+    assert!(!random.contains("independent"), "{random}");
+    let json = document(&desk, &format!("{line} sobol --json"));
+    assert_eq!(json["sum"], (14u128 << 60).to_string());
+    assert_eq!(json["sum_of_squares"], (98u128 << 120).to_string());
+}
+
+#[test]
+fn estimates_that_cannot_be_made() {
+    for (arguments, words) in [
+        (
+            "--integrand x-sqared --sampler sobol --count 8",
+            &["did you mean `x-squared`"][..],
+        ),
+        (
+            "--integrand x-squared --sampler sobl --count 8",
+            &["unknown sampler", "did you mean `sobol`"],
+        ),
+        (
+            "--integrand x-squared --sampler sobol:owne --count 8",
+            &["unknown scramble", "`owen`"],
+        ),
+        (
+            "--integrand genz-gaussian:d=8 --sampler pmj02 --count 8",
+            &["pmj02", "8 dimensions"],
+        ),
+        (
+            "--integrand genz-gaussian:d=65 --sampler sobol --count 8",
+            &["from 1 to 64"],
+        ),
+        (
+            "--integrand genz-gaussian:d=x --sampler sobol --count 8",
+            &["`d=x` is no key=number"],
+        ),
+        (
+            "--integrand x-squared --sampler sobol --count 4294967297",
+            &["passes 2^32"],
+        ),
+        (
+            "--integrand x-squared --sampler sobol --count 8 --start 4294967290",
+            &["passes 2^32"],
+        ),
+        (
+            "--integrand x-squared --sampler sobol --count 0",
+            &["least is 1"],
+        ),
+        (
+            "--integrand x-squared --sampler sobol --count -1",
+            &["-1 is negative"],
+        ),
+        ("--integrand x-squared --sampler sobol", &["--count"]),
+    ] {
+        assert_refused(&format!("estimate {arguments}"), words);
+    }
+    assert_refused("integrands sobl-g", &["did you mean `sobol-g`"]);
+}

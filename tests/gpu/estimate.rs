@@ -1,0 +1,239 @@
+//! Estimates on every device: the same bits as the CPU's however the work is split.
+
+mod support;
+
+use corput::bulk;
+use corput::catalog::{Options, Problem, Request, Scramble, Sequence};
+use corput::compile;
+use corput::estimate::{Estimate, U256};
+use corput::headers;
+use corput::interface::Kernel;
+use corput::kernels::Estimator;
+use corput::variant::{Plan, general_estimate, plan_estimate};
+use corput::vulkan::Device;
+use std::sync::Arc;
+
+fn problem(text: &str) -> Problem {
+    Problem::parse(text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn points(problem: &Problem, scramble: Option<Scramble>, first: u64, count: u64) -> Request {
+    let options = Options {
+        first,
+        dimensions: Some(problem.dimensions().into()),
+        seed: scramble.map(|_| 11),
+        scramble,
+        fractions: true,
+        ..Options::new(Sequence::Sobol, count)
+    };
+    Request::new(&options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn merged(parts: impl IntoIterator<Item = Estimate>, scale: i32) -> Estimate {
+    let merge = |a: Estimate, b: Estimate| a.merge(b).expect("one scale");
+    parts.into_iter().fold(Estimate::new(scale), merge)
+}
+
+/// An estimator for the general kernel, and for tiles where there are.
+fn both(device: &Arc<Device>, problem: &Problem, request: &Request) -> Vec<Estimator> {
+    [Estimator::general, Estimator::new]
+        .map(|new| new(device, problem, request).unwrap_or_else(|error| panic!("{error}")))
+        .into()
+}
+
+#[test]
+fn records_are_the_sums_of_their_runs() {
+    support::on_each_device(|device| {
+        for text in ["x-squared", "disk-step", "ishigami"] {
+            let problem = problem(text);
+            // Across a wrap of the lower 16 bits, and to the last index of all.
+            for first in [65_000, (1 << 32) - 16_500] {
+                let request = points(&problem, Some(Scramble::OwenHash), first, 16_500);
+                for mut estimator in both(device, &problem, &request) {
+                    for run in [1, 7, 64, estimator.longest_run()] {
+                        let (start, count) = (15_000, 1_500.min(u64::from(run) * 40 + 3));
+                        let (records, _) = estimator
+                            .records(start, count, run)
+                            .unwrap_or_else(|error| panic!("{error}"));
+                        assert_eq!(records.len() as u64, count.div_ceil(run.into()));
+                        let mut at = start;
+                        for got in records {
+                            let points = u64::from(run).min(start + count - at);
+                            let expected = bulk::estimate(&problem, &request, at, points);
+                            assert_eq!(got, expected.expect("sums"), "{text} {run} {at}");
+                            at += points;
+                        }
+                    }
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn no_split_shows() {
+    const COUNT: u64 = 100_003;
+    support::on_each_device(|device| {
+        for text in ["x-squared", "disk-step"] {
+            let problem = problem(text);
+            let request = points(&problem, Some(Scramble::Owen), 1, COUNT);
+            let scale = problem.coefficients().scale;
+            let expected = bulk::estimate(&problem, &request, 0, COUNT).expect("sums");
+            for mut estimator in both(device, &problem, &request) {
+                let mut sum = |start, count| {
+                    let run = estimator.run(start, count, &mut |_| Ok(()));
+                    run.unwrap_or_else(|error| panic!("{error}")).0
+                };
+                assert_eq!(sum(0, COUNT), expected, "{text}, whole");
+                for cut in [1, 255, 50_000, COUNT - 1] {
+                    let parts = [sum(cut, COUNT - cut), sum(0, cut)];
+                    assert_eq!(merged(parts, scale), expected, "{text}, cut at {cut}");
+                }
+                let shards = (0..13).map(|k| (k * COUNT / 13, (k + 1) * COUNT / 13));
+                let parts: Vec<_> = shards.map(|(from, to)| sum(from, to - from)).collect();
+                assert_eq!(merged(parts, scale), expected, "{text}, 13 shards");
+            }
+        }
+    });
+}
+
+/// The kernel of a plan with groups of another size.
+fn resized(mut plan: Plan, local_size: u32) -> (Plan, Vec<u32>) {
+    let row: &'static Kernel = Box::leak(Box::new(Kernel {
+        local_size,
+        ..*plan.kernel
+    }));
+    plan.kernel = row;
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/kernels");
+    let mut read = |name: &str| {
+        let header = headers().iter().find(|(header, _)| *header == name);
+        match header {
+            Some((_, text)) => Some((*text).to_owned()),
+            None if name == "interface.glsl" => Some(row.glsl()),
+            None => std::fs::read_to_string(folder.join(name)).ok(),
+        }
+    };
+    let source = read(row.source).expect("the kernel's source");
+    let words = compile::to_spirv(&source, row.defines, &mut read).expect("SPIR-V");
+    let words = compile::check(&words, row.profile).expect("a clean module");
+    (plan, words)
+}
+
+#[test]
+fn no_size_of_a_group_shows() {
+    const COUNT: u64 = 20_011;
+    support::on_each_device(|device| {
+        for (text, general) in [("x-squared", false), ("genz-continuous:d=2", true)] {
+            let problem = problem(text);
+            let request = points(&problem, Some(Scramble::OwenHash), 77, COUNT);
+            let expected = bulk::estimate(&problem, &request, 0, COUNT).expect("sums");
+            let id = problem.integrand().id;
+            for size in [1, 32, 64, 128] {
+                let plan = match general {
+                    true => general_estimate(&request.columns, id),
+                    false => plan_estimate(&request.columns, COUNT, id, true),
+                };
+                let (plan, words) = resized(plan, size);
+                let mut estimator =
+                    Estimator::with_module(device, &problem, &request, plan, &words)
+                        .unwrap_or_else(|error| panic!("{error}"));
+                let got = estimator.run(0, COUNT, &mut |_| Ok(())).expect("sums").0;
+                assert_eq!(got, expected, "{text}, groups of {size}");
+            }
+        }
+    });
+}
+
+/// Sums of k^2 and k^4 for k below n, in units of 2^-(2 bits) and 2^-(4 bits).
+fn grid(bits: u32) -> (i128, U256) {
+    let (n, m) = (1u128 << bits, (1u128 << bits) - 1);
+    let squares = (n - 1) * n * (2 * n - 1) / 6;
+    // The fourths are up to 160 bits: one factor in the end.
+    let factor = 3 * m * m + 3 * m - 1;
+    let (fifth, squares_part, factor) = match factor % 5 {
+        0 => (1, squares, factor / 5),
+        _ => (5, squares, factor),
+    };
+    let part = squares_part / fifth;
+    // part * factor, factor of up to 66 bits.
+    let low = U256::from_u128(part)
+        .checked_mul(factor as u64)
+        .expect("small");
+    let high = U256::from_u128(part)
+        .checked_mul((factor >> 64) as u64)
+        .expect("small");
+    let high = (0..2).fold(high, |x, _| x.checked_mul(1 << 32).expect("small"));
+    let fourths = low.checked_add(high).expect("small");
+    let shift = 4 * (32 - bits);
+    let fourths = fourths.checked_mul(1 << shift).expect("small");
+    ((squares as i128) << (2 * (32 - bits)), fourths)
+}
+
+fn grid_on(device: &Arc<Device>, bits: u32) {
+    let problem = problem("x-squared");
+    let request = points(&problem, None, 0, 1 << bits);
+    let mut estimator = Estimator::new(device, &problem, &request).expect("an estimator");
+    let mut heard = 0;
+    let (got, _) = estimator
+        .run(0, request.count, &mut |done| {
+            heard = done;
+            Ok(())
+        })
+        .expect("sums");
+    assert_eq!((got.sum(), got.squares()), grid(bits), "2^{bits}");
+    assert_eq!((got.count(), heard), (1 << bits, 1 << bits));
+}
+
+#[test]
+fn x_squared_over_a_grid_is_its_closed_form() {
+    support::on_each_device(|device| grid_on(device, 24));
+}
+
+#[test]
+#[ignore = "13 s on two cores of llvmpipe, minutes elsewhere"]
+fn x_squared_over_all_points_is_its_closed_form() {
+    support::on_one_device(|device| grid_on(device, 32));
+}
+
+/// 2^24 terms, a mean of a million standard deviations.
+#[test]
+fn a_large_mean_leaves_the_variance() {
+    support::on_each_device(|device| {
+        let problem = problem("offset:offset=288675");
+        let request = points(&problem, None, 0, 1 << 24);
+        let mut estimator = Estimator::new(device, &problem, &request).expect("an estimator");
+        let (got, _) = estimator
+            .run(0, request.count, &mut |_| Ok(()))
+            .expect("sums");
+        let n = request.count as f64;
+        assert_eq!(got.mean(), Some(288_675.5 - 0.5 / n));
+        assert_eq!(got.variance(), Some((n + 1.0) / (12.0 * n)));
+    });
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    support::on_one_device(|device| {
+        let (line, disk) = (problem("x-squared"), problem("disk-step"));
+        let request = points(&line, None, 5, 100);
+        assert!(Estimator::new(device, &disk, &request).is_err());
+        let mut estimator = Estimator::new(device, &line, &request).expect("an estimator");
+        let longest = estimator.longest_run();
+        for (start, count, run) in [
+            (0, 101, 1),
+            (100, 1, 1),
+            (u64::MAX, 2, 1),
+            (0, 10, 0),
+            (0, 10, longest + 1),
+        ] {
+            let refused = estimator.records(start, count, run).map(|_| ());
+            assert_eq!(
+                refused.map_err(|error| error.exit_code()),
+                Err(2),
+                "{start} {count} {run}"
+            );
+        }
+        let none = estimator.run(3, 0, &mut |_| Ok(())).expect("nothing").0;
+        assert_eq!(none.count(), 0);
+    });
+}
