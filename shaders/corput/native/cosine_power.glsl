@@ -36,12 +36,12 @@ float corput_native_cosine_power_mass(float w) {
 
 // -ln z of a unit vector.
 float corput_native_cosine_power_log(vec3 direction) {
-    float z = min(max(direction.z, 1e-30), 1.0);
+    float z = max(direction.z, 1e-30);
     float v = (direction.x * direction.x + direction.y * direction.y) / (1.0 + z);
     if (v < 0.125) {
         return v * (1.0 + v * (0.5 + v * (0.33333334 + v * (0.25 + v * (0.2 + v * 0.16666667)))));
     }
-    return -log(z);
+    return max(-log(z), 0.0);
 }
 
 // Direction and pdf.

@@ -41,12 +41,12 @@ pub fn native_cosine_power_mass(w: f32) -> f32 {
 #[inline]
 #[must_use]
 pub fn native_cosine_power_log(direction: Vec3) -> f32 {
-    let z = direction.z.max(1e-30).min(1.0);
+    let z = direction.z.max(1e-30);
     let v = (direction.x * direction.x + direction.y * direction.y) / (1.0 + z);
     if v < 0.125 {
         return v * (1.0 + v * (0.5 + v * (0.33333334 + v * (0.25 + v * (0.2 + v * 0.16666667)))));
     }
-    -z.ln()
+    (-z.ln()).max(0.0)
 }
 
 /// Direction and pdf.
