@@ -14,7 +14,7 @@ const RUN: u64 = 1 << 20;
 /// first.
 ///
 /// # Errors
-/// [`Error::Arguments`] for a request of other dimensions, or points that it does not have.
+/// [`crate::Error::Arguments`] for a request of other dimensions, or points that it does not have.
 pub fn estimate(problem: &Problem, request: &Request, start: u64, count: u64) -> Result<Estimate> {
     problem.check(request, start, count)?;
     let columns: Vec<Prepared> = request.columns.iter().map(Prepared::new).collect();
