@@ -3,6 +3,8 @@
 //! and a hundred thousand for the others; moments, half-spaces, and the mean of 1/pdf; and broken
 //! maps and densities, which each of these refuses. Environment maps, whose density is of texels, have their own in environment.rs.
 
+#[path = "density/agree.rs"]
+mod agree;
 #[path = "density/broken.rs"]
 mod broken;
 #[path = "density/chi.rs"]
