@@ -43,9 +43,18 @@ impl Case {
 
     /// A sample of the exact profile.
     pub fn sample(&self, u: [u32; 2]) -> DVec3 {
+        self.point(self.numbers(u))
+    }
+
+    /// The pdf that comes with it.
+    pub fn own_pdf(&self, u: [u32; 2]) -> f64 {
+        self.numbers(u)[self.mapping.map().coordinates as usize]
+    }
+
+    fn numbers(&self, u: [u32; 2]) -> [f64; 4] {
         let second = if self.line() { 0 } else { u[1] };
         let words = map_sample(&self.mapping, Profile::Exact, [u[0], second, 0]);
-        self.point(words.map(|word| f64::from(f32::from_bits(word))))
+        words.map(|word| f64::from(f32::from_bits(word)))
     }
 
     /// A sample of the judge, and its pdf.
