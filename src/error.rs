@@ -167,6 +167,16 @@ pub enum Error {
         /// What to do.
         remedy: String,
     },
+    /// A study file that cannot be read or used.
+    #[error("cannot use study {}: {problem}; {remedy}", path.display())]
+    Study {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it, and where.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
     /// No Vulkan device at all.
     #[error("no Vulkan device was found ({reason}); {INSTALL_HINT}")]
     NoDevice {
@@ -230,6 +240,19 @@ pub enum Error {
         done: u64,
         /// Points asked for.
         total: u64,
+    },
+    /// Stopped by a signal, with what was finished in a file.
+    #[error(
+        "interrupted after {done} of {total}, which {} keeps: the same command goes on from there",
+        path.display()
+    )]
+    Paused {
+        /// Parts finished.
+        done: u64,
+        /// Parts in all.
+        total: u64,
+        /// The file.
+        path: PathBuf,
     },
     /// Results that are not what they must be.
     #[error(
@@ -298,12 +321,14 @@ impl Error {
             | Self::Output { .. }
             | Self::Image { .. }
             | Self::Points { .. }
+            | Self::Study { .. }
             | Self::UnknownDevice { .. } => 2,
             Self::NoDevice { .. } | Self::InadequateDevice { .. } => 3,
             Self::Vulkan { .. }
             | Self::Timeout { .. }
             | Self::Io { .. }
             | Self::Interrupted { .. }
+            | Self::Paused { .. }
             | Self::Shader { .. } => 4,
         }
     }

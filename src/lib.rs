@@ -41,6 +41,8 @@ pub mod catalog;
 pub mod check;
 #[cfg(feature = "gpu")]
 pub mod compile;
+#[cfg(feature = "gpu")]
+pub mod converge;
 #[cfg(all(feature = "gpu", feature = "images"))]
 pub mod demo;
 pub mod environment;

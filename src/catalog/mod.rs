@@ -6,6 +6,7 @@ mod guide;
 mod integrands;
 mod maps;
 mod request;
+mod sampler;
 mod scramble;
 mod sequence;
 
@@ -14,6 +15,7 @@ pub use guide::Guide;
 pub use integrands::{Coefficients, Integrand, Problem, integrands};
 pub use maps::{Group, Map, Mapping, Parameter, Words, maps};
 pub use request::{Engine, Options, Output, Request, check_map};
+pub use sampler::Sampler;
 pub use scramble::{Order, SCRAMBLES, Scramble};
 pub use sequence::{SEQUENCES, Sequence};
 

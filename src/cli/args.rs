@@ -36,6 +36,8 @@ pub enum Command {
     Integrands(IntegrandsArgs),
     /// Estimate an integral by exact sums over up to 2^32 points.
     Estimate(EstimateArgs),
+    /// Measure error against run time: samplers on integrands, in replicates.
+    Converge(ConvergeArgs),
     /// Compare every kernel and function with the CPU reference on a device.
     Check(CheckArgs),
     /// Say how good a set of points in [0, 1)^d is.
@@ -158,6 +160,54 @@ pub struct IntegrandsArgs {
     /// Only this one.
     pub name: Option<String>,
     /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Without --study and --integrand the default study runs: 6 integrands, 6 samplers."
+)]
+pub struct ConvergeArgs {
+    /// A study file (TOML): integrands, samplers and settings, which options below override.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["integrand", "sampler", "estimator"])]
+    pub study: Option<PathBuf>,
+    /// What to integrate, as genz-gaussian:d=8; may be repeated. `corput integrands` lists them.
+    #[arg(long)]
+    pub integrand: Vec<String>,
+    /// Samplers, as random,halton:permute,sobol:owen [default: those of the default study].
+    #[arg(long, value_delimiter = ',')]
+    pub sampler: Option<Vec<String>>,
+    /// Estimators of the integrand, where it has a choice [default: all].
+    #[arg(long, value_delimiter = ',', requires = "integrand")]
+    pub estimator: Option<Vec<String>>,
+    /// The fewest points [default: 16].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub min_count: Option<u64>,
+    /// The most points, to 2^32; the counts are the powers of two up to it, and it
+    /// [default: 262144].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub max_count: Option<u64>,
+    /// Independent randomisations of each sampler that is random [default: 32].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub replicates: Option<u64>,
+    /// Seed of the first; the others follow it [default: 1].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub seed: Option<u64>,
+    /// Relative errors of which the time is asked [default: 1e-2,1e-3,1e-4].
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
+    pub target: Option<Vec<f64>>,
+    /// Folder for report.html, figures, results.json and results.csv. A study that was cut off
+    /// goes on from the cells that it keeps there.
+    #[arg(long, value_name = "DIR")]
+    pub report: Option<PathBuf>,
+    /// Begin anew in place of going on.
+    #[arg(long, requires = "report")]
+    pub fresh: bool,
+    /// Device by index or part of its name; `cpu` for the reference.
+    #[arg(long)]
+    pub device: Option<String>,
+    /// Print the results as one JSON document.
     #[arg(long)]
     pub json: bool,
 }

@@ -1,13 +1,13 @@
 //! `corput estimate`.
 
 use super::args::EstimateArgs;
-use super::{generate, host, interrupt, print, progress};
+use super::{host, interrupt, print, progress};
+use corput::Result;
 use corput::bulk;
-use corput::catalog::{Options, Problem, Request, Scramble, Sequence};
+use corput::catalog::{Options, Problem, Request, Sampler, Scramble};
 use corput::estimate::Estimate;
 use corput::interface::Column;
 use corput::kernels::Estimator;
-use corput::{Error, Result};
 use serde_json::{Map, Value, json};
 use std::time::Instant;
 
@@ -29,25 +29,14 @@ pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
 
 /// The points, of which the integrand says the dimensions.
 fn request(args: &EstimateArgs, problem: &Problem) -> Result<Request> {
-    let (name, scramble) = match args.sampler.split_once(':') {
-        Some((name, scramble)) => (name, Some(scramble)),
-        None => (args.sampler.as_str(), None),
-    };
-    let known: Vec<&str> = corput::catalog::SEQUENCES
-        .iter()
-        .map(|one| one.name())
-        .collect();
-    let sequence =
-        Sequence::from_name(name).map_err(|_| Error::unknown_name("sampler", name, &known))?;
+    let sampler = Sampler::parse(&args.sampler)?;
     Request::new(&Options {
         first: args.start,
         dimensions: Some(problem.dimensions().into()),
         seed: args.seed,
-        scramble: scramble
-            .map(|name| generate::scramble(sequence, name))
-            .transpose()?,
+        scramble: sampler.scramble(),
         fractions: true,
-        ..Options::new(sequence, args.count)
+        ..Options::new(sampler.sequence(), args.count)
     })
 }
 

@@ -3,6 +3,7 @@
 mod args;
 mod bench;
 mod check;
+mod converge;
 mod demo;
 mod devices;
 mod environment;
@@ -38,6 +39,7 @@ pub fn main() -> ExitCode {
         Command::Maps(args) => maps::run(args),
         Command::Integrands(args) => integrands::run(args),
         Command::Estimate(args) => estimate::run(args),
+        Command::Converge(args) => converge::run(args),
         Command::Check(args) => check::run(args),
         Command::Measure(args) => measure::run(args),
         Command::Headers(args) => headers::run(args),

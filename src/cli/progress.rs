@@ -12,6 +12,13 @@ pub fn points(total: u64) -> ProgressBar {
     bar
 }
 
+/// A bar over the cells of a study.
+pub fn cells(total: u64) -> ProgressBar {
+    let bar = bar(total);
+    bar.set_style(style("{bar:32} {human_pos}/{human_len}, {eta} left: {msg}"));
+    bar
+}
+
 /// A bar over one step after another, which [`step`] tells it.
 pub fn steps() -> ProgressBar {
     let bar = bar(0);

@@ -104,6 +104,34 @@ impl Estimator {
         })
     }
 
+    /// SHIM
+    ///
+    /// # Errors
+    /// SHIM
+    pub fn replicates(device: &Arc<Device>, problem: &Problem, request: &Request) -> Result<Self> {
+        Self::general(device, problem, request)
+    }
+
+    /// SHIM
+    ///
+    /// # Errors
+    /// SHIM
+    pub fn set_request(&mut self, request: &Request) -> Result<()> {
+        let words: Vec<u32> = crate::variant::general_estimate(&request.columns, 0)
+            .table
+            .unwrap_or_default();
+        self.columns = Some(table(&self.device, &words)?);
+        self.first = request.first;
+        self.count = request.count;
+        let most = BUFFER_BYTES / 4 / RECORD;
+        self.results = Buffer::new(
+            &self.device,
+            RECORD * most.min(request.count),
+            Access::Readback,
+        )?;
+        Ok(())
+    }
+
     /// The kernel that runs.
     #[must_use]
     pub fn kernel_name(&self) -> &'static str {

@@ -35,6 +35,8 @@ const BASE: Integrand = Integrand {
     prepare: |_, _| Err(0),
     truth: |_, _| 0.0,
     error: 2.5e-7,
+    finite_variance: true,
+    estimators: &[],
     examples: &[
         (&[0.001], 1),
         (&[100.0], 1),

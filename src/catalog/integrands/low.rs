@@ -14,6 +14,8 @@ const BASE: Integrand = Integrand {
     prepare: |_, _| Ok(Coefficients::exact(0, 1.0)),
     truth: |_, _| 0.0,
     error: 0.0,
+    finite_variance: true,
+    estimators: &[],
     examples: &[(&[], 1)],
     summary: "",
     formula: "",
@@ -75,6 +77,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         },
         truth: |_, _| 2.0,
         error: 4e-9,
+        finite_variance: false,
         summary: "a pole at 0, and no variance; x in the middle of its cell of 2^-32",
         formula: "1 / sqrt(x); over all cells the mean is 2 - 9.23e-6",
         source: "Owen 2006, Halton sequences avoid the origin",
@@ -150,6 +153,8 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
             let head = [a_m, a_e, b_m, b_e];
             Ok(Coefficients::real(head, Vec::new(), 1.0 + a + b * PI_4))
         },
+        finite_variance: true,
+        estimators: &[],
         truth: |values, _| values[0] / 2.0,
         error: 1e-8,
         examples: &[(&[7.0, 0.1], 3), (&[0.0, 0.0], 3), (&[1000.0, 1000.0], 3)],

@@ -68,11 +68,15 @@ pub struct Integrand {
     pub parameters: &'static [Parameter],
     /// Checks the parameters, and makes of them what kernels take.
     pub prepare: Prepare,
+    /// Names of its estimators, the default first; none where there is no choice.
+    pub estimators: &'static [&'static str],
     /// Its integral.
     pub truth: fn(&[f64], u32) -> f64,
     /// Worst error of a term as a share of the integrand's peak; its unit comes to 2^-63 of
     /// it. 0: terms are exact.
     pub error: f64,
+    /// Whether its variance is finite, so that mean squares of errors say something.
+    pub finite_variance: bool,
     /// Parameters and dimensions that checks try: usual ones, and the most extreme.
     pub examples: &'static [(&'static [f64], u32)],
     /// What it is, in a line.

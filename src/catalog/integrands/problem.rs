@@ -151,6 +151,30 @@ impl Problem {
         Ok(())
     }
 
+    /// SHIM
+    #[must_use]
+    pub fn estimator(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// SHIM
+    ///
+    /// # Errors
+    /// SHIM
+    pub fn with_estimator(&self, name: &str) -> Result<Self> {
+        Err(Error::unknown_name(
+            "estimator",
+            name,
+            self.integrand.estimators,
+        ))
+    }
+
+    /// SHIM
+    #[must_use]
+    pub fn tables(&self) -> Vec<&[u32]> {
+        Vec::new()
+    }
+
     /// What kernels take.
     #[must_use]
     pub fn coefficients(&self) -> &Coefficients {

@@ -1,0 +1,320 @@
+//! `corput converge`.
+
+use super::args::ConvergeArgs;
+use super::{host, interrupt, print, progress};
+use comfy_table::{CellAlignment, Table, presets};
+use corput::catalog::Sampler;
+use corput::converge::{
+    self, DEFAULT, Engine, Kept, Results, Row, Series, Setting, Settings, Study, standings,
+};
+use corput::vulkan::Instance;
+use corput::{Error, Result};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Finished cells of a study that was cut off, in the report's folder.
+const UNFINISHED: &str = "unfinished.jsonl";
+
+pub fn run(args: &ConvergeArgs) -> anyhow::Result<()> {
+    let study = study(args)?;
+    let (engine, device, instance) = engine(args)?;
+    let mut kept = args
+        .report
+        .as_deref()
+        .map(|folder| kept(folder, args.fresh));
+    let mut kept = kept.take().transpose()?;
+    let setting = Setting::new(&study, device, command());
+    let results = measured(&engine, &study, setting, kept.as_mut())?;
+    if let Some(instance) = instance {
+        host::validated(&instance)?;
+    }
+    for line in warnings(&results) {
+        eprintln!("corput: warning: {line}");
+    }
+    if let Some(folder) = &args.report {
+        let files = converge::write(&results, folder)?;
+        if let Some(kept) = kept {
+            kept.remove()?;
+        }
+        if !args.json {
+            eprintln!(
+                "corput: wrote {} files; open {}",
+                files.len(),
+                folder.join("report.html").display()
+            );
+        }
+    }
+    if args.json {
+        print(&serde_json::to_string_pretty(&results.document())?);
+    } else {
+        print(&text(&results));
+    }
+    match results.not_finite() {
+        0 => Ok(()),
+        failures => Err(Error::CheckFailed {
+            failures: failures as usize,
+            total: results.series.iter().map(means).sum(),
+        }
+        .into()),
+    }
+}
+
+fn means(series: &Series) -> usize {
+    series
+        .cell
+        .points
+        .iter()
+        .map(|point| point.means.len())
+        .sum()
+}
+
+/// The study of the arguments: a file, names, or the default.
+fn study(args: &ConvergeArgs) -> Result<Study> {
+    let (rows, settings) = match &args.study {
+        Some(path) => converge::read(path)?,
+        None if args.integrand.is_empty() => {
+            let (rows, settings) = converge::parse(DEFAULT, Path::new("(the default study)"))?;
+            (named_samplers(args, rows)?, settings)
+        }
+        None => (named(args)?, Settings::default()),
+    };
+    let given = |value: Option<u64>, otherwise| value.unwrap_or(otherwise);
+    Study::new(
+        rows,
+        Settings {
+            min_count: given(args.min_count, settings.min_count),
+            max_count: given(args.max_count, settings.max_count),
+            replicates: match args.replicates {
+                // A number past the limit is refused as such.
+                Some(many) => u32::try_from(many).unwrap_or(u32::MAX),
+                None => settings.replicates,
+            },
+            seed: given(args.seed, settings.seed),
+            targets: args.target.clone().unwrap_or(settings.targets),
+        },
+    )
+}
+
+/// The default samplers are those of the default study.
+fn named(args: &ConvergeArgs) -> Result<Vec<Row>> {
+    let samplers = match samplers(args)? {
+        Some(samplers) => samplers,
+        None => {
+            let (rows, _) = converge::parse(DEFAULT, Path::new("(the default study)"))?;
+            rows.into_iter()
+                .next()
+                .map_or(Vec::new(), |row| row.samplers)
+        }
+    };
+    let mut all = Vec::new();
+    for integrand in &args.integrand {
+        let estimators = args.estimator.as_deref().unwrap_or_default();
+        all.extend(converge::rows(integrand, estimators, &samplers)?);
+    }
+    Ok(all)
+}
+
+fn named_samplers(args: &ConvergeArgs, mut rows: Vec<Row>) -> Result<Vec<Row>> {
+    if let Some(samplers) = samplers(args)? {
+        for row in &mut rows {
+            row.samplers.clone_from(&samplers);
+        }
+    }
+    Ok(rows)
+}
+
+fn samplers(args: &ConvergeArgs) -> Result<Option<Vec<Sampler>>> {
+    let parsed = |names: &Vec<String>| names.iter().map(|name| Sampler::parse(name)).collect();
+    args.sampler.as_ref().map(parsed).transpose()
+}
+
+fn engine(args: &ConvergeArgs) -> Result<(Engine, String, Option<Arc<Instance>>)> {
+    if host::is_cpu(host::asked(args.device.as_deref()).as_deref()) {
+        return Ok((Engine::Cpu, "cpu (the reference, every core)".into(), None));
+    }
+    let device = host::open(args.device.as_deref())?;
+    let line = host::line(device.info());
+    let instance = Arc::clone(device.instance());
+    Ok((Engine::Device(device), line, Some(instance)))
+}
+
+fn kept(folder: &Path, fresh: bool) -> Result<Kept> {
+    std::fs::create_dir_all(folder).map_err(|source| Error::Output {
+        path: folder.to_owned(),
+        problem: source.to_string(),
+        remedy: "choose a folder that can be made and written with --report".into(),
+    })?;
+    let path = folder.join(UNFINISHED);
+    if fresh && path.exists() {
+        std::fs::remove_file(&path).map_err(|source| Error::Io {
+            action: "remove",
+            path: path.clone(),
+            source,
+        })?;
+    }
+    Kept::open(&path)
+}
+
+fn measured(
+    engine: &Engine,
+    study: &Study,
+    setting: Setting,
+    kept: Option<&mut Kept>,
+) -> Result<Results> {
+    let path: Option<PathBuf> = kept.as_ref().map(|kept| kept.path().to_owned());
+    let bar = progress::cells(study.cells() as u64);
+    interrupt::clean_up();
+    let results = converge::run(engine, study, setting, kept, &mut |name, done, total| {
+        bar.set_position(done);
+        bar.set_message(name.to_owned());
+        interrupt::stop(done, total)
+    });
+    bar.finish_and_clear();
+    results.map_err(|error| match (error, path) {
+        (Error::Interrupted { done, total }, Some(path)) => Error::Paused { done, total, path },
+        (error, _) => error,
+    })
+}
+
+/// The command as a shell takes it.
+fn command() -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_=+.,:/@%".contains(c);
+    let quoted = |word: String| match word.chars().all(plain) && !word.is_empty() {
+        true => word,
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    };
+    let words = std::env::args_os()
+        .skip(1)
+        .map(|word| quoted(word.to_string_lossy().into_owned()));
+    std::iter::once("corput".to_owned())
+        .chain(words)
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+fn warnings(results: &Results) -> Vec<String> {
+    let mut lines = Vec::new();
+    for series in &results.series {
+        for warning in &series.cell.warnings {
+            let line = format!("{}: {warning}", series.sampler);
+            if !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+        if let Some((count, why)) = series.cell.refused.first() {
+            lines.push(format!(
+                "{} on {} has no {count} points{}: {why}",
+                series.sampler,
+                series.integrand,
+                match series.cell.refused.len() {
+                    1 => String::new(),
+                    many => format!(", nor {} other counts", many - 1),
+                },
+            ));
+        }
+    }
+    lines
+}
+
+fn text(results: &Results) -> String {
+    let setting = &results.setting;
+    let mut lines = vec![
+        setting.device.clone(),
+        format!(
+            "{} replicates, seeds from {}; times are medians of one replicate on the device",
+            setting.replicates, setting.seed
+        ),
+    ];
+    for (integrand, group) in results.by_integrand() {
+        let Some(first) = group.first() else { continue };
+        let truth = &first.truth;
+        lines.push(format!(
+            "\n{integrand}, {} dimension{}: {} {}; floor {:.1e}",
+            first.dimensions,
+            if first.dimensions == 1 { "" } else { "s" },
+            match truth.uncertainty {
+                None => format!("integral {}", truth.value),
+                Some(half) => format!("no known integral, reference {} +- {half:.1e}", truth.value),
+            },
+            match first.analysis.statistic {
+                converge::Statistic::Rmse => "",
+                converge::Statistic::MedianAbsolute => "(infinite variance: median |error|)",
+            },
+            truth.floor(),
+        ));
+        lines.push(table(&group, &setting.targets).to_string());
+        lines.extend(
+            setting
+                .targets
+                .iter()
+                .map(|&target| verdict(&group, target)),
+        );
+    }
+    lines.join("\n")
+}
+
+fn table(group: &[&Series], targets: &[f64]) -> Table {
+    let mut table = Table::new();
+    let mut head = vec![
+        "sampler".to_owned(),
+        "N".into(),
+        "relative error".into(),
+        "slope".into(),
+    ];
+    head.extend(targets.iter().map(|target| format!("ms to {target:.0e}")));
+    table.load_style(presets::NOTHING).set_header(head);
+    for one in group {
+        let analysis = &one.analysis;
+        let Some(last) = analysis.errors.last() else {
+            continue;
+        };
+        let relative = |value: f64| value / one.scale();
+        let error = match analysis.random {
+            true => format!(
+                "{:.2e} ({:.1e} to {:.1e})",
+                relative(last.error.value),
+                relative(last.error.low),
+                relative(last.error.high)
+            ),
+            false => format!("{:.2e} (one run)", relative(last.error.value)),
+        };
+        let slope = match (analysis.slope, analysis.slope_has_interval) {
+            (Some(s), true) => format!("{:.2} ({:.2} to {:.2})", s.value, s.low, s.high),
+            (Some(s), false) => format!("{:.2}", s.value),
+            (None, _) => "-".into(),
+        };
+        let mut row = vec![one.label(), last.count.to_string(), error, slope];
+        row.extend(targets.iter().map(|target| {
+            let reached = analysis.reached(target * one.scale());
+            reached.map_or("-".into(), |r| format!("{:.3}", r.seconds.value * 1e3))
+        }));
+        table.add_row(row);
+    }
+    for column in 1..4 + targets.len() {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table
+}
+
+/// Who reaches an error first, in a line.
+fn verdict(group: &[&Series], target: f64) -> String {
+    let list = standings(group, target);
+    let Some(best) = list.first() else {
+        return format!("  to {target:.0e}: none reaches it within the study");
+    };
+    let others = list.iter().skip(1).map(|one| match one.tied {
+        true => format!("{} ties", one.series.label()),
+        false => format!("{} {:.1} x slower", one.series.label(), one.slower),
+    });
+    let others: Vec<String> = others.collect();
+    format!(
+        "  to {target:.0e}: use {}; {}",
+        best.series.label(),
+        match others.is_empty() {
+            true => "no other reaches it".to_owned(),
+            false => others.join(", "),
+        }
+    )
+}

@@ -1,0 +1,215 @@
+//! A cell of a study: one sampler on one integrand, at every count.
+
+use super::study::{Row, Study};
+use crate::bulk;
+use crate::catalog::{Problem, Request, Sampler};
+use crate::estimate::Estimate;
+use crate::kernels::Estimator;
+use crate::vulkan::{Device, Timing};
+use crate::{Error, Result};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Dispatches that time a sampler which is not random: their points are all the same.
+const REPEATS: u32 = 9;
+
+/// Counts up to here are summed on the CPU too, once each, and compared.
+const CHECKED: u64 = 1 << 12;
+
+/// What one sampler gave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Milliseconds until the first dispatch could be made: buffers and compilation.
+    pub setup_ms: f64,
+    /// Milliseconds of that dispatch, which compiles too where a driver does so late; it is
+    /// not among the times below.
+    pub first_ms: f64,
+    /// One for each count that the sampler has, rising.
+    pub points: Vec<Point>,
+    /// Counts that it does not have, with its words.
+    pub refused: Vec<(u64, String)>,
+    /// What may disappoint although it is right: a sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// What it gave at one count.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Points of a replicate.
+    pub count: u64,
+    /// The mean of each replicate: one alone of a sampler that is not random.
+    pub means: Vec<f64>,
+    /// Nanoseconds on the device of each dispatch that summed one replicate, warm; on the
+    /// CPU, of each sum.
+    pub device_ns: Vec<f64>,
+    /// The same with the host's work around it.
+    pub host_ns: Vec<f64>,
+}
+
+/// Who sums: a device, or the reference on the CPU.
+pub enum Engine {
+    /// The device.
+    Device(Arc<Device>),
+    /// Every core of the CPU.
+    Cpu,
+}
+
+impl Engine {
+    /// Measures a sampler on an integrand; `watch` is asked between dispatches whether to go
+    /// on.
+    ///
+    /// # Errors
+    /// Those of the device, those of `watch`, and [`Error::CheckFailed`] where its sums are not
+    /// the CPU's.
+    pub fn measure(
+        &self,
+        study: &Study,
+        row: &Row,
+        sampler: Sampler,
+        watch: &mut dyn FnMut() -> Result<()>,
+    ) -> Result<Cell> {
+        let dimensions = row.problem.dimensions();
+        let mut cell = Cell {
+            setup_ms: 0.0,
+            first_ms: 0.0,
+            points: Vec::new(),
+            refused: Vec::new(),
+            warnings: Vec::new(),
+        };
+        let mut summer = None;
+        for &count in study.counts() {
+            let request = |replicate: u32| {
+                sampler.request(
+                    dimensions,
+                    count,
+                    study.seed().wrapping_add(replicate.into()),
+                )
+            };
+            let first = match request(0) {
+                Ok(first) => first,
+                Err(refusal) => {
+                    cell.refused.push((count, refusal.to_string()));
+                    continue;
+                }
+            };
+            for warning in &first.warnings {
+                if !cell.warnings.contains(warning) {
+                    cell.warnings.push(warning.clone());
+                }
+            }
+            let summer = match &mut summer {
+                Some(summer) => summer,
+                none => {
+                    let begun = Instant::now();
+                    let mut made = self.summer(&row.problem, &first)?;
+                    cell.setup_ms = begun.elapsed().as_secs_f64() * 1e3;
+                    let begun = Instant::now();
+                    made.sum(&row.problem, &first)?;
+                    cell.first_ms = begun.elapsed().as_secs_f64() * 1e3;
+                    none.insert(made)
+                }
+            };
+            let dispatches = match sampler.is_random() {
+                true => study.replicates(),
+                false => REPEATS.min(study.replicates()),
+            };
+            let mut sums = Vec::new();
+            let mut point = Point {
+                count,
+                means: Vec::new(),
+                device_ns: Vec::new(),
+                host_ns: Vec::new(),
+            };
+            for replicate in 0..dispatches {
+                watch()?;
+                let request = request(replicate)?;
+                let begun = Instant::now();
+                let (sum, timing) = summer.sum(&row.problem, &request)?;
+                point.host_ns.push(begun.elapsed().as_secs_f64() * 1e9);
+                point
+                    .device_ns
+                    .push(timing.device_ns.unwrap_or(timing.host_ns));
+                if replicate == 0 && count <= CHECKED {
+                    self.verify(&row.problem, &request, &sum)?;
+                }
+                sums.push(sum);
+            }
+            if !sampler.is_random() {
+                repeated(&sums)?;
+                sums.truncate(1);
+            }
+            point.means = sums
+                .iter()
+                .map(|sum| sum.mean().unwrap_or(f64::NAN))
+                .collect();
+            cell.points.push(point);
+        }
+        Ok(cell)
+    }
+
+    fn summer(&self, problem: &Problem, request: &Request) -> Result<Summer> {
+        match self {
+            Self::Device(device) => {
+                let estimator = Estimator::replicates(device, problem, request)?;
+                Ok(Summer::Device(Box::new(estimator)))
+            }
+            Self::Cpu => Ok(Summer::Cpu),
+        }
+    }
+
+    /// Times are worth nothing of sums that are wrong.
+    fn verify(&self, problem: &Problem, request: &Request, sum: &Estimate) -> Result<()> {
+        if matches!(self, Self::Device(_)) {
+            equal(sum, &bulk::estimate(problem, request, 0, request.count)?)?;
+        }
+        Ok(())
+    }
+}
+
+/// An engine that knows the integrand and the shape of the points.
+enum Summer {
+    Device(Box<Estimator>),
+    Cpu,
+}
+
+impl Summer {
+    /// All points of a request.
+    fn sum(&mut self, problem: &Problem, request: &Request) -> Result<(Estimate, Timing)> {
+        match self {
+            Self::Device(estimator) => {
+                estimator.set_request(request)?;
+                estimator.run(0, request.count, &mut |_| Ok(()))
+            }
+            Self::Cpu => {
+                let begun = Instant::now();
+                let sum = bulk::estimate(problem, request, 0, request.count)?;
+                let host_ns = begun.elapsed().as_secs_f64() * 1e9;
+                Ok((
+                    sum,
+                    Timing {
+                        device_ns: None,
+                        host_ns,
+                    },
+                ))
+            }
+        }
+    }
+}
+
+/// The same points must give the same sums.
+fn repeated(sums: &[Estimate]) -> Result<()> {
+    sums.windows(2).try_for_each(|pair| match pair {
+        [one, other] => equal(other, one),
+        _ => Ok(()),
+    })
+}
+
+fn equal(got: &Estimate, expected: &Estimate) -> Result<()> {
+    match got == expected {
+        true => Ok(()),
+        false => Err(Error::CheckFailed {
+            failures: 1,
+            total: 1,
+        }),
+    }
+}

@@ -1,0 +1,221 @@
+//! Finished cells in a file, so that a study that was cut off goes on from there.
+//!
+//! A line of JSON a cell, under a key that names all on which its numbers depend; lines of
+//! other keys are left alone. A line that was cut off while it was written is no line.
+
+use super::cell::{Cell, Point};
+use super::study::{Row, Study};
+use crate::catalog::Sampler;
+use crate::{Error, Result};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+use std::fs::{File, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// The file, open for more.
+pub struct Kept {
+    path: PathBuf,
+    file: File,
+    cells: Vec<(String, Cell)>,
+}
+
+impl Kept {
+    /// Opens the file, or makes it.
+    ///
+    /// # Errors
+    /// [`Error::Output`] where it cannot be read or written.
+    pub fn open(path: &Path) -> Result<Self> {
+        let failed = |source: std::io::Error| Error::Output {
+            path: path.to_owned(),
+            problem: source.to_string(),
+            remedy: "choose a folder that can be written".into(),
+        };
+        let text = match std::fs::read(path) {
+            Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
+            Err(error) => return Err(failed(error)),
+        };
+        let mut file = OpenOptions::new()
+            .append(true)
+            .create(true)
+            .open(path)
+            .map_err(failed)?;
+        if !text.is_empty() && !text.ends_with('\n') {
+            file.write_all(b"\n").map_err(failed)?;
+        }
+        Ok(Self {
+            path: path.to_owned(),
+            file,
+            cells: text.lines().filter_map(read).collect(),
+        })
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The cell of this key.
+    #[must_use]
+    pub fn get(&self, key: &str) -> Option<&Cell> {
+        let found = self.cells.iter().find(|(one, _)| one == key);
+        found.map(|(_, cell)| cell)
+    }
+
+    /// Adds a finished cell.
+    ///
+    /// # Errors
+    /// [`Error::Io`] where it cannot be written.
+    pub fn add(&mut self, key: &str, cell: &Cell) -> Result<()> {
+        let line = format!("{}\n", json!({ "key": key, "cell": document(cell) }));
+        self.file
+            .write_all(line.as_bytes())
+            .map_err(|source| Error::Io {
+                action: "write",
+                path: self.path.clone(),
+                source,
+            })?;
+        self.cells.push((key.to_owned(), cell.clone()));
+        Ok(())
+    }
+
+    /// Removes the file: its study is complete.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn remove(self) -> Result<()> {
+        std::fs::remove_file(&self.path).map_err(|source| Error::Io {
+            action: "remove",
+            path: self.path,
+            source,
+        })
+    }
+}
+
+/// All on which the numbers of a cell depend, as a hash: what is summed, by whom, and which
+/// program. `device` names the device and its driver.
+#[must_use]
+pub fn key(study: &Study, row: &Row, sampler: Sampler, device: &str) -> String {
+    let mut hash = Sha256::new();
+    let settings = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "device": device,
+        "integrand": row.problem.integrand().name,
+        "dimensions": row.problem.dimensions(),
+        "values": row.problem.values(),
+        "estimator": row.problem.estimator(),
+        "sampler": sampler.name(),
+        "counts": study.counts(),
+        "replicates": study.replicates(),
+        "seed": study.seed(),
+    });
+    hash.update(settings.to_string());
+    // What a map holds is in none of the numbers.
+    for words in row.problem.tables() {
+        hash.update(bytemuck::cast_slice(words));
+    }
+    let digest = hash.finalize();
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn document(cell: &Cell) -> Value {
+    let point = |point: &Point| {
+        json!({
+            "count": point.count,
+            // A mean that is no number has no JSON.
+            "means": point.means.iter().map(|mean| mean.to_bits()).collect::<Vec<_>>(),
+            "device_ns": point.device_ns,
+            "host_ns": point.host_ns,
+        })
+    };
+    json!({
+        "setup_ms": cell.setup_ms,
+        "first_ms": cell.first_ms,
+        "points": cell.points.iter().map(point).collect::<Vec<_>>(),
+        "refused": cell.refused,
+        "warnings": cell.warnings,
+    })
+}
+
+fn read(line: &str) -> Option<(String, Cell)> {
+    let value: Value = serde_json::from_str(line).ok()?;
+    let cell = value.get("cell")?;
+    let numbers = |value: &Value| -> Option<Vec<f64>> {
+        value.as_array()?.iter().map(Value::as_f64).collect()
+    };
+    let point = |value: &Value| -> Option<Point> {
+        let bits = value.get("means")?.as_array()?.iter().map(Value::as_u64);
+        let means: Option<Vec<u64>> = bits.collect();
+        Some(Point {
+            count: value.get("count")?.as_u64()?,
+            means: means?.into_iter().map(f64::from_bits).collect(),
+            device_ns: numbers(value.get("device_ns")?)?,
+            host_ns: numbers(value.get("host_ns")?)?,
+        })
+    };
+    let points: Option<Vec<Point>> = cell.get("points")?.as_array()?.iter().map(point).collect();
+    let refused = |value: &Value| -> Option<(u64, String)> {
+        Some((value.get(0)?.as_u64()?, value.get(1)?.as_str()?.to_owned()))
+    };
+    let refusals: Option<Vec<_>> = cell
+        .get("refused")?
+        .as_array()?
+        .iter()
+        .map(refused)
+        .collect();
+    let warnings = cell.get("warnings")?.as_array()?.iter();
+    let warnings: Option<Vec<String>> = warnings
+        .map(|one| one.as_str().map(str::to_owned))
+        .collect();
+    let cell = Cell {
+        setup_ms: cell.get("setup_ms")?.as_f64()?,
+        first_ms: cell.get("first_ms")?.as_f64()?,
+        points: points?,
+        refused: refusals?,
+        warnings: warnings?,
+    };
+    Some((value.get("key")?.as_str()?.to_owned(), cell))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cell(mean: f64) -> Cell {
+        Cell {
+            setup_ms: 1.25,
+            first_ms: 0.1,
+            points: vec![Point {
+                count: 16,
+                means: vec![mean, 1.0 / 3.0],
+                device_ns: vec![1234.5],
+                host_ns: vec![0.1 + 0.2],
+            }],
+            refused: vec![(1 << 22, "too \"many\"".into())],
+            warnings: vec!["careful".into()],
+        }
+    }
+
+    #[test]
+    fn cells_come_back_and_a_torn_line_does_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cells.jsonl");
+        let mut kept = Kept::open(&path).unwrap();
+        kept.add("a", &cell(0.1)).unwrap();
+        kept.add("b", &cell(f64::NAN)).unwrap();
+        let whole = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(&path, &whole[..whole.len() - 9]).unwrap();
+
+        let mut again = Kept::open(&path).unwrap();
+        assert_eq!(again.get("a"), Some(&cell(0.1)));
+        assert_eq!(again.get("b"), None);
+        again.add("b", &cell(f64::NAN)).unwrap();
+        let third = Kept::open(&path).unwrap();
+        assert!(third.get("b").unwrap().points[0].means[0].is_nan());
+        assert_eq!(third.get("a"), Some(&cell(0.1)));
+        third.remove().unwrap();
+        assert!(!path.exists());
+    }
+}

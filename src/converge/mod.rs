@@ -1,0 +1,77 @@
+//! Error against run time: samplers on integrands of known value, in replicates, timed on
+//! the device.
+//!
+//! A [`Study`] names integrands, samplers and counts; [`run`] measures each pair of the first
+//! two, a cell, and [`Results`] says how the error falls with points and with time. Sums are
+//! exact, so a study gives the same errors on every device; the times are the device's.
+
+mod analysis;
+mod cell;
+mod file;
+mod floor;
+mod kept;
+#[cfg(feature = "images")]
+mod report;
+mod results;
+mod statistics;
+mod study;
+mod summary;
+mod truth;
+
+pub use analysis::{Analysis, ErrorAt, Reached};
+pub use cell::{Cell, Engine, Point};
+pub use file::{DEFAULT, parse, read};
+pub use floor::{Floor, floor};
+pub use kept::{Kept, key};
+#[cfg(feature = "images")]
+pub use report::write;
+pub use results::{Results, SCHEMA, Series, Setting};
+pub use statistics::{Interval, Statistic, fit, median, quantile, slope};
+pub use study::{Row, Settings, Study, rows};
+pub use summary::{Standing, standings};
+pub use truth::Truth;
+
+use crate::Result;
+
+/// Hears of each cell and dispatch: the cell's name, cells done, and all cells. Its error
+/// stops the study between dispatches.
+pub type Watch<'a> = dyn FnMut(&str, u64, u64) -> Result<()> + 'a;
+
+/// Measures a study. Cells that `kept` has are taken from there, and new ones go there as
+/// soon as they are finished.
+///
+/// # Errors
+/// Those of the device and of `watch`; cells that were finished before are in `kept`.
+pub fn run(
+    engine: &Engine,
+    study: &Study,
+    setting: Setting,
+    mut kept: Option<&mut Kept>,
+    watch: &mut Watch<'_>,
+) -> Result<Results> {
+    let total = study.cells() as u64;
+    let mut series = Vec::new();
+    for row in study.rows() {
+        let mut stop = || watch(&row.name, series.len() as u64, total);
+        let truth = Truth::of(engine, study, row, &mut stop)?;
+        for &sampler in &row.samplers {
+            let name = format!("{}, {}", row.name, sampler.name());
+            let key = key(study, row, sampler, &setting.device);
+            let known = kept.as_ref().and_then(|kept| kept.get(&key)).cloned();
+            let cell = match known {
+                Some(cell) => cell,
+                None => {
+                    let mut stop = || watch(&name, series.len() as u64, total);
+                    let cell = engine.measure(study, row, sampler, &mut stop)?;
+                    if let Some(kept) = &mut kept {
+                        kept.add(&key, &cell)?;
+                    }
+                    cell
+                }
+            };
+            series.push(Series::new(row, sampler, truth, cell));
+            watch(&name, series.len() as u64, total)?;
+        }
+    }
+    Ok(Results { setting, series })
+}
