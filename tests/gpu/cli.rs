@@ -4,6 +4,8 @@
 mod blue_noise;
 #[path = "cli/commands.rs"]
 mod commands;
+#[path = "cli/converge.rs"]
+mod converge;
 #[path = "cli/devices.rs"]
 mod devices;
 #[path = "cli/environment.rs"]

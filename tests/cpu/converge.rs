@@ -1,0 +1,291 @@
+//! Studies on the CPU's reference, whose sums are those of every device: the rates of the
+//! theory, means without bias, and what a study keeps.
+
+use corput::catalog::{Problem, SEQUENCES, Sampler, Scramble, integrands};
+use corput::converge::{self, Engine, Kept, Results, Row, Setting, Settings, Study, fit};
+
+fn sampler(name: &str) -> Sampler {
+    Sampler::parse(name).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn row(integrand: &str, samplers: &[&str]) -> Row {
+    Row {
+        name: integrand.to_owned(),
+        problem: Problem::parse(integrand).unwrap_or_else(|error| panic!("{error}")),
+        samplers: samplers.iter().map(|name| sampler(name)).collect(),
+    }
+}
+
+fn study(rows: Vec<Row>, counts: [u64; 2], replicates: u32) -> Study {
+    let settings = Settings {
+        min_count: counts[0],
+        max_count: counts[1],
+        replicates,
+        ..Settings::default()
+    };
+    Study::new(rows, settings).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn results(study: &Study) -> Results {
+    let setting = Setting::new(study, "cpu".into(), "test".into());
+    converge::run(&Engine::Cpu, study, setting, None, &mut |_, _, _| Ok(()))
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The slopes of one integrand's samplers, with their names.
+fn slopes(integrand: &str, samplers: &[&str], counts: [u64; 2]) -> Vec<(String, f64)> {
+    let found = results(&study(vec![row(integrand, samplers)], counts, 64));
+    let slope = |one: &converge::Series| {
+        let slope = one
+            .analysis
+            .slope
+            .unwrap_or_else(|| panic!("{integrand}: no slope"));
+        assert_eq!(one.analysis.slope_has_interval, one.analysis.random);
+        (one.sampler.clone(), slope.value)
+    };
+    found.series.iter().map(slope).collect()
+}
+
+#[test]
+fn random_points_converge_with_the_root_of_their_number() {
+    for integrand in [
+        "x-squared",
+        "disk-step",
+        "ishigami",
+        "genz-oscillatory:d=4,difficulty=3",
+    ] {
+        for (name, slope) in slopes(
+            integrand,
+            &["random", "random-fast", "pcg32"],
+            [64, 1 << 14],
+        ) {
+            assert!((slope + 0.5).abs() < 0.1, "{integrand}, {name}: {slope}");
+        }
+    }
+}
+
+/// Owen 1997: the variance is n^-3 (log n)^(d-1), so the error of smooth integrands falls as
+/// n^-3/2 but for the logarithm, which at d = 2 and these counts is worth 0.07.
+#[test]
+fn scrambled_nets_converge_with_the_power_three_halves() {
+    let samplers = ["sobol:owen", "sobol:owen-hash"];
+    for (integrand, log_factor) in [
+        ("x-squared", 0.0),
+        ("square-of-sum:d=2", 0.0),
+        ("genz-gaussian:d=2,difficulty=3", 0.07),
+    ] {
+        for (name, slope) in slopes(integrand, &samplers, [256, 1 << 15]) {
+            assert!(
+                (slope + 1.5 - log_factor).abs() < 0.1,
+                "{integrand}, {name}: {slope}"
+            );
+        }
+    }
+}
+
+#[test]
+fn low_discrepancy_beats_chance_on_the_step_of_a_disk() {
+    let counts = [64, 1 << 16];
+    let names = [
+        "random",
+        "halton",
+        "hammersley",
+        "halton:permute",
+        "sobol:owen",
+    ];
+    let found = slopes("disk-step", &names, counts);
+    let random = found[0].1;
+    for (name, slope) in &found[1..] {
+        assert!(*slope < random - 0.1, "{name}: {slope}, random {random}");
+    }
+}
+
+/// Without a variance, the mean square says nothing: the median of the magnitudes does.
+#[test]
+fn infinite_variance_is_reported_by_the_median() {
+    let study = study(
+        vec![row("inverse-root", &["random", "sobol:owen"])],
+        [64, 1 << 12],
+        64,
+    );
+    for series in results(&study).series {
+        assert_eq!(
+            series.analysis.statistic,
+            converge::Statistic::MedianAbsolute
+        );
+        assert!(
+            series
+                .analysis
+                .slope
+                .is_some_and(|slope| slope.value < -0.3)
+        );
+    }
+}
+
+/// The fit can fail: another law is not taken for that of chance.
+#[test]
+fn a_wrong_law_is_told_from_the_right_one() {
+    let counts: Vec<u64> = (6..=14).map(|log| 1 << log).collect();
+    let law = |power: f64| counts.iter().map(move |&n| (n as f64).powf(power));
+    assert!(fit(&counts, law(-0.7)).is_some_and(|slope| (slope + 0.5).abs() > 0.1));
+}
+
+/// Every sampler that is random, on every integrand of finite variance that points hit often:
+/// the mean over replicates lies within four standard errors and the floor of the truth.
+#[test]
+fn means_have_no_bias() {
+    let mut compared = 0;
+    for integrand in integrands().filter(|one| one.finite_variance && one.estimators.is_empty()) {
+        if integrand.name == "gaussian-peak" {
+            // Too narrow: points miss it, and only its importance map finds it.
+            continue;
+        }
+        let samplers = SEQUENCES.iter().flat_map(|&sequence| {
+            let scrambles = sequence.scrambles().iter().copied().map(Some);
+            scrambles
+                .chain([None])
+                .filter_map(move |scramble: Option<Scramble>| {
+                    Sampler::new(sequence, scramble)
+                        .ok()
+                        .filter(|one| one.is_random())
+                })
+        });
+        for sampler in samplers {
+            let row = Row {
+                name: integrand.name.into(),
+                problem: Problem::parse(integrand.name).unwrap(),
+                samplers: vec![sampler],
+            };
+            let settings = Settings {
+                // A number for which Korobov generators are published, too.
+                min_count: 1021,
+                max_count: 1021,
+                replicates: 64,
+                ..Settings::default()
+            };
+            // A sampler of two dimensions has no points of eight.
+            let Ok(study) = Study::new(vec![row], settings) else {
+                continue;
+            };
+            for one in results(&study).series {
+                let at = one.analysis.errors[0];
+                let allowed = 4.0 * at.bias_error + one.truth.floor();
+                assert!(at.bias_error > 0.0, "{}, {}", integrand.name, one.sampler);
+                assert!(
+                    at.bias.abs() <= allowed,
+                    "{}, {}: {} of {allowed}",
+                    integrand.name,
+                    one.sampler,
+                    at.bias
+                );
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 150, "only {compared} means were compared");
+}
+
+/// The same without the randomisation: the bias of a fixed sequence would be found.
+#[test]
+fn a_bias_is_found() {
+    let found = results(&study(vec![row("x-squared", &["sobol"])], [1024, 1024], 8));
+    let at = found.series[0].analysis.errors[0];
+    assert!(at.bias.abs() > 4.0 * at.bias_error + found.series[0].truth.floor());
+}
+
+#[test]
+fn a_study_that_was_cut_off_ends_with_the_same_errors() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cells.jsonl");
+    let samplers = ["random", "halton", "sobol:owen"];
+    let study = study(
+        vec![row("disk-step", &samplers), row("x-squared", &samplers)],
+        [16, 1024],
+        8,
+    );
+    let whole = results(&study);
+    let setting = || Setting::new(&study, "cpu".into(), "test".into());
+    // Stops after so many cells, and once more.
+    for most in [1, 4] {
+        let mut kept = Kept::open(&path).unwrap();
+        let stopped = converge::run(
+            &Engine::Cpu,
+            &study,
+            setting(),
+            Some(&mut kept),
+            &mut |_, done, total| match done >= most {
+                true => Err(corput::Error::Interrupted { done, total }),
+                false => Ok(()),
+            },
+        );
+        assert!(stopped.is_err());
+        let lines = std::fs::read_to_string(&path).unwrap().lines().count() as u64;
+        assert_eq!(lines, most);
+    }
+    let mut kept = Kept::open(&path).unwrap();
+    let resumed = converge::run(
+        &Engine::Cpu,
+        &study,
+        setting(),
+        Some(&mut kept),
+        &mut |_, _, _| Ok(()),
+    )
+    .unwrap();
+    assert_eq!(without_times(&resumed), without_times(&whole));
+    // And all that is kept is the same, times included.
+    let mut kept = Kept::open(&path).unwrap();
+    let again = converge::run(
+        &Engine::Cpu,
+        &study,
+        setting(),
+        Some(&mut kept),
+        &mut |_, _, _| Ok(()),
+    )
+    .unwrap();
+    assert_eq!(again.document(), resumed.document());
+}
+
+/// The table without its columns of times, which are the last four.
+fn without_times(results: &Results) -> Vec<String> {
+    let line = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        cells[..cells.len() - 4].join(",")
+    };
+    results.csv().lines().map(line).collect()
+}
+
+#[test]
+fn studies_that_say_nothing_are_refused() {
+    let settings = |change: fn(&mut Settings)| {
+        let mut settings = Settings::default();
+        change(&mut settings);
+        let rows = vec![row("x-squared", &["random"])];
+        Study::new(rows, settings).unwrap_err().to_string()
+    };
+    assert!(settings(|s| s.replicates = 1).contains("an interval needs 2"));
+    assert!(settings(|s| s.max_count = 8).contains("the fewest first"));
+    assert!(settings(|s| s.min_count = 0).contains("1 to 2^32"));
+    assert!(settings(|s| s.targets = vec![0.0]).contains("above 0"));
+    let said = |rows| {
+        Study::new(rows, Settings::default())
+            .unwrap_err()
+            .to_string()
+    };
+    assert!(said(Vec::new()).contains("nothing"));
+    assert!(said(vec![row("x-squared", &["random", "random"])]).contains("twice"));
+    assert!(said(vec![row("disk-step", &["vdc"])]).contains("vdc"));
+    let twice = vec![row("x-squared", &["random"]), row("x-squared", &["sobol"])];
+    assert!(said(twice).contains("twice"));
+}
+
+#[test]
+fn counts_are_powers_of_two_and_the_last() {
+    let counts = |min, max| {
+        study(vec![row("x-squared", &["random"])], [min, max], 2)
+            .counts()
+            .to_vec()
+    };
+    assert_eq!(counts(16, 64), [16, 32, 64]);
+    assert_eq!(counts(10, 100), [16, 32, 64, 100]);
+    assert_eq!(counts(1, 1), [1]);
+}

@@ -1,0 +1,137 @@
+//! `corput converge`.
+
+use super::refused::assert_refused;
+use super::{Desk, repository, skips};
+use serde_json::Value;
+
+fn document(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+#[test]
+fn errors_are_the_same_on_the_device_and_the_cpu() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let line = "converge --integrand disk-step --integrand genz-gaussian:d=5 --max-count 1024 \
+                --sampler random,halton,sobol:owen,stratified --replicates 8 --json";
+    let [cpu, device] =
+        ["--device cpu", ""].map(|device| document(&desk.say(&format!("{line} {device}"))));
+    let series = |document: &Value| document["series"].as_array().expect("series").clone();
+    let (cpu, device) = (series(&cpu), series(&device));
+    assert_eq!(cpu.len(), 8);
+    for (one, other) in cpu.iter().zip(&device) {
+        assert_eq!(one["slope"], other["slope"]);
+        for (a, b) in one["points"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .zip(other["points"].as_array().unwrap())
+        {
+            for key in ["count", "error", "bias", "means"] {
+                assert_eq!(a[key], b[key], "{} {}", one["sampler"], key);
+                assert!(!a[key].is_null());
+            }
+            assert!(b["seconds"]["median"].as_f64().is_some_and(|s| s > 0.0));
+        }
+    }
+}
+
+#[test]
+fn the_text_names_who_is_first_at_each_target() {
+    let desk = Desk::new();
+    let line = "converge --integrand x-squared --sampler random,sobol:owen,halton --max-count 4096 \
+                --replicates 8 --device cpu --target 1e-2,1e-9";
+    let text = desk.say(line);
+    assert!(text.contains("to 1e-2: use "), "{text}");
+    assert!(text.contains("to 1e-9: none reaches it"), "{text}");
+    assert!(text.contains("(one run)"), "{text}");
+}
+
+#[test]
+fn a_report_is_whole_and_leaves_no_cells_behind() {
+    let desk = Desk::new();
+    let line = "converge --integrand x-squared --sampler random,sobol --max-count 256 --replicates 4 \
+                --device cpu --report out";
+    desk.run(line).expect(0, &["report.html"]);
+    let json = document(&String::from_utf8(desk.bytes("out/results.json")).unwrap());
+    assert_eq!(json["schema"], "corput-converge/1");
+    assert_eq!(
+        json["command"],
+        format!("corput {line}").replace("                ", "")
+    );
+    let csv = String::from_utf8(desk.bytes("out/results.csv")).unwrap();
+    // Two samplers at 16, 32, 64, 128 and 256 points.
+    assert_eq!(csv.lines().count(), 11);
+    assert!(!desk.path("out/unfinished.jsonl").exists());
+}
+
+#[test]
+fn warnings_say_what_a_count_costs() {
+    let desk = Desk::new();
+    let line = "converge --integrand x-squared --sampler sobol:owen,lattice --min-count 1000 \
+                --max-count 3000000 --replicates 2 --device cpu";
+    desk.run(line).expect(
+        0,
+        &[
+            "warning: sobol:owen: ",
+            "power of two",
+            "warning: lattice on x-squared has no",
+        ],
+    );
+}
+
+#[test]
+fn studies_that_cannot_be_made() {
+    for (arguments, words) in [
+        ("--integrand x-sqared", &["did you mean `x-squared`"][..]),
+        (
+            "--integrand x-squared --sampler sobl",
+            &["unknown sampler", "`sobol`"],
+        ),
+        (
+            "--integrand x-squared --sampler sobol:owne",
+            &["unknown scramble", "`owen`"],
+        ),
+        (
+            "--integrand x-squared --estimator mis",
+            &["estimator", "x-squared"],
+        ),
+        (
+            "--integrand x-squared --replicates 1",
+            &["an interval needs 2"],
+        ),
+        ("--integrand x-squared --max-count 0", &["1 to 2^32"]),
+        ("--integrand x-squared --target 0", &["above 0"]),
+        (
+            "--integrand x-squared --study s.toml",
+            &["cannot be used with"],
+        ),
+        ("--study none.toml", &["cannot use study none.toml"]),
+        ("--estimator mis", &["--integrand"]),
+        ("--fresh", &["--report"]),
+    ] {
+        assert_refused(&format!("converge --device cpu {arguments}"), words);
+    }
+    let desk = Desk::new();
+    std::fs::write(desk.path("s.toml"), "seed = 1\nreplicats = 32\n").unwrap();
+    desk.run("converge --study s.toml")
+        .expect(2, &["s.toml", "line 2, column 1", "replicats"]);
+    std::fs::write(desk.path("file"), "").unwrap();
+    desk.run("converge --report file --device cpu")
+        .expect(2, &["cannot write file"]);
+}
+
+#[test]
+fn the_study_of_the_tests_can_be_run() {
+    let desk = Desk::new();
+    let study = repository("tests/data/study.toml");
+    let line = format!(
+        "converge --device cpu --max-count 64 --replicates 2 --json --study {}",
+        study.display()
+    );
+    let json = document(&desk.say(&line));
+    assert_eq!(json["series"].as_array().map(Vec::len), Some(36));
+    assert_eq!(json["not_finite"], 0);
+}
