@@ -78,6 +78,23 @@ impl Sampler {
         }
     }
 
+    /// What its first `count` points lack that as many as a power of two have, in a sentence;
+    /// `None` where nothing is lost.
+    #[must_use]
+    pub fn lost_at(self, count: u64) -> Option<String> {
+        let whole = match self.sequence {
+            Sequence::Sobol | Sequence::Pmj02 => "a net with points in every elementary interval",
+            Sequence::Lattice => "a lattice",
+            _ => return None,
+        };
+        (!count.is_power_of_two()).then(|| {
+            format!(
+                "{count} points are no power of two, and only so many are {whole}: expect a \
+                 larger error than the next lower power of two may have"
+            )
+        })
+    }
+
     /// Its first `count` points as fractions; of a set, the whole set of so many. The seed
     /// matters only to samplers that are random.
     ///
@@ -130,6 +147,13 @@ mod tests {
         assert!(said("sobol:owne").contains("did you mean `owen`"));
         assert!(said("halton:matrix").contains("permute"));
         assert!(said("random:owen").contains("random by itself"));
+    }
+
+    #[test]
+    fn nets_and_lattices_lose_what_powers_of_two_have() {
+        let lost = |text: &str, count| Sampler::parse(text).unwrap().lost_at(count).is_some();
+        assert!(lost("sobol:owen", 1000) && lost("lattice", 3) && lost("pmj02", 5));
+        assert!(!lost("sobol:owen", 1024) && !lost("halton", 1000) && !lost("random", 1000));
     }
 
     #[test]

@@ -13,8 +13,9 @@ use std::time::Instant;
 
 pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
     let problem = Problem::parse(&args.integrand)?;
-    let request = request(args, &problem)?;
-    for warning in &request.warnings {
+    let sampler = Sampler::parse(&args.sampler)?;
+    let request = request(args, sampler, &problem)?;
+    for warning in request.warnings.iter().chain(&sampler.lost_at(args.count)) {
         eprintln!("corput: warning: {warning}");
     }
     let result = made(args, &problem, &request)?;
@@ -28,8 +29,7 @@ pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
 }
 
 /// The points, of which the integrand says the dimensions.
-fn request(args: &EstimateArgs, problem: &Problem) -> Result<Request> {
-    let sampler = Sampler::parse(&args.sampler)?;
+fn request(args: &EstimateArgs, sampler: Sampler, problem: &Problem) -> Result<Request> {
     Request::new(&Options {
         first: args.start,
         dimensions: Some(problem.dimensions().into()),

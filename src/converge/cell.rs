@@ -92,9 +92,9 @@ impl Engine {
                     continue;
                 }
             };
-            for warning in &first.warnings {
-                if !cell.warnings.contains(warning) {
-                    cell.warnings.push(warning.clone());
+            for warning in first.warnings.iter().cloned().chain(sampler.lost_at(count)) {
+                if !cell.warnings.contains(&warning) {
+                    cell.warnings.push(warning);
                 }
             }
             let summer = match &mut summer {

@@ -1,6 +1,6 @@
 //! Exact sums, what is read from them, and the integrands' integrals.
 
-use corput::bulk::estimate;
+use corput::bulk::{estimate, integrand_term};
 use corput::catalog::{Integrand, Options, Problem, Request, Scramble, Sequence, integrands};
 use corput::estimate::{Estimate, U256};
 use corput::glam::{UVec2, uvec2};
@@ -371,4 +371,24 @@ fn problems_refuse_what_is_outside() {
     assert!(estimate(&disk, &request, 1, 8).is_err());
     assert!(estimate(&disk, &request, u64::MAX, 2).is_err());
     assert!(estimate(&disk, &request, 8, 0).is_ok_and(|none| none.count() == 0));
+}
+
+/// The estimate of an integral of x^2 by five points that an introduction works out by hand:
+/// 0.04, 0.64, 0.09, 0.49 and 0.25, whose mean is 0.302.
+#[test]
+fn five_points_by_hand() {
+    let square = problem("x-squared");
+    let fraction = |x: f64| (x * 4_294_967_296.0).round() as u32;
+    let mut sum = sum_zero();
+    for x in [0.2, 0.8, 0.3, 0.7, 0.5] {
+        sum = sum_add(sum, integrand_term(&square, &[fraction(x)]));
+    }
+    let ([a, b, c, d], [e, f]) = (sum.squares.to_array(), sum.squares_high.to_array());
+    let squares = [a, b, c, d, e, f];
+    let five = Estimate::from_words(5, 64, sum.total.to_array(), squares);
+    let (mean, variance) = (five.mean().unwrap(), five.variance().unwrap());
+    // Points are rounded to 2^-33, and x^2 has a slope of 2 at most.
+    assert!((mean - 0.302).abs() < 2.0 / 8_589_934_592.0, "{mean}");
+    // (0.04^2 + 0.64^2 + 0.09^2 + 0.49^2 + 0.25^2 - 5 * 0.302^2) / 4.
+    assert!((variance - 0.066_47).abs() < 1e-9, "{variance}");
 }

@@ -4,8 +4,15 @@ use super::refused::assert_refused;
 use super::{Desk, repository, skips};
 use serde_json::Value;
 
-fn document(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or_else(|error| panic!("{text}: {error}"))
+fn document(text: &[u8]) -> Value {
+    serde_json::from_slice(text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The document of a study that ends well, with warnings or without.
+fn measured(desk: &Desk, line: &str) -> Value {
+    let run = desk.run(line);
+    run.expect(0, &[]);
+    document(&run.stdout)
 }
 
 #[test]
@@ -17,7 +24,7 @@ fn errors_are_the_same_on_the_device_and_the_cpu() {
     let line = "converge --integrand disk-step --integrand genz-gaussian:d=5 --max-count 1024 \
                 --sampler random,halton,sobol:owen,stratified --replicates 8 --json";
     let [cpu, device] =
-        ["--device cpu", ""].map(|device| document(&desk.say(&format!("{line} {device}"))));
+        ["--device cpu", ""].map(|device| measured(&desk, &format!("{line} {device}")));
     let series = |document: &Value| document["series"].as_array().expect("series").clone();
     let (cpu, device) = (series(&cpu), series(&device));
     assert_eq!(cpu.len(), 8);
@@ -55,7 +62,7 @@ fn a_report_is_whole_and_leaves_no_cells_behind() {
     let line = "converge --integrand x-squared --sampler random,sobol --max-count 256 --replicates 4 \
                 --device cpu --report out";
     desk.run(line).expect(0, &["report.html"]);
-    let json = document(&String::from_utf8(desk.bytes("out/results.json")).unwrap());
+    let json = document(&desk.bytes("out/results.json"));
     assert_eq!(json["schema"], "corput-converge/1");
     assert_eq!(
         json["command"],
@@ -131,7 +138,7 @@ fn the_study_of_the_tests_can_be_run() {
         "converge --device cpu --max-count 64 --replicates 2 --json --study {}",
         study.display()
     );
-    let json = document(&desk.say(&line));
+    let json = measured(&desk, &line);
     assert_eq!(json["series"].as_array().map(Vec::len), Some(36));
     assert_eq!(json["not_finite"], 0);
 }

@@ -40,7 +40,7 @@ fn sums_are_the_same_everywhere() {
         "--integrand x-squared --sampler sobol --count 65536",
         "--integrand disk-step --sampler halton --count 20000 --start 123456",
         "--integrand genz-gaussian:d=3,difficulty=2 --sampler random --seed 5 --count 3000",
-        "--integrand sobol-g:d=5 --sampler sobol:owen --seed 9 --count 1000",
+        "--integrand sobol-g:d=5 --sampler sobol:owen --seed 9 --count 1024",
     ] {
         let line = format!("estimate --json {line}");
         let cpu = document(&desk, &format!("{line} --device cpu"));
