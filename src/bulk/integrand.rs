@@ -1,6 +1,7 @@
 //! The twin of `shaders/kernels/integrand.glsl`: a point's coordinates one after the other,
 //! then the term.
 
+use super::integrand_environment::environment_term;
 use crate::catalog::Problem;
 use crate::interface::integrand;
 use crate::reference::exponential::real_exp;
@@ -21,6 +22,9 @@ use glam::{UVec3, uvec2};
 pub fn integrand_term(problem: &Problem, point: &[u32]) -> Term {
     let made = problem.coefficients();
     let head = made.head;
+    if let Some(map) = problem.map() {
+        return term(environment_term(problem, map, point), made.scale);
+    }
     let mut state = State::start(problem);
     for (j, &u) in point.iter().enumerate() {
         state.step(problem, j, u);
