@@ -4,7 +4,11 @@
 // Exact sums of an integrand and of its square over consecutive points, one record an
 // invocation: no groups, no atomics, so no size of a group and no split shows in the bits.
 #include "interface.glsl"
+#if defined RENDER_ENVIRONMENT
+#include "integrand_environment.glsl"
+#else
 #include "integrand.glsl"
+#endif
 #ifdef COLUMN_TABLE
 #include "column.glsl"
 #else

@@ -18,6 +18,7 @@ const uint GAUSSIAN = 9u;
 const uint CONTINUOUS = 10u;
 const uint DISCONTINUOUS = 11u;
 const uint SOBOL_G = 12u;
+const uint SQUARE_OF_SUM = 13u;
 
 // What the coordinates so far come to: a sum or product of reals, or a word; and the first
 // three of them.
@@ -82,6 +83,9 @@ Integrand integrand_step(Integrand state, uint dimension, uint u) {
     if (INTEGRAND == SOBOL_G) {
         next.real = corput_sobol_g(state.real, u, integrand_real(at), integrand_real(at + 2u));
     }
+    if (INTEGRAND == SQUARE_OF_SUM) {
+        next.real = corput_real_add(state.real, corput_real_uint(u, -32));
+    }
     return next;
 }
 
@@ -120,6 +124,9 @@ CorputTerm integrand_term(Integrand state, int scale) {
         if (state.word != 0u) {
             real = corput_real_zero();
         }
+    }
+    if (INTEGRAND == SQUARE_OF_SUM) {
+        real = corput_real_square(state.real);
     }
     if (INTEGRAND == INVERSE_ROOT || INTEGRAND >= ISHIGAMI) {
         term = corput_term(real, scale);

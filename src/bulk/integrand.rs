@@ -1,6 +1,7 @@
 //! The twin of `shaders/kernels/integrand.glsl`: a point's coordinates one after the other,
 //! then the term.
 
+use super::integrand_environment::environment_term;
 use crate::catalog::Problem;
 use crate::interface::integrand;
 use crate::reference::exponential::real_exp;
@@ -11,7 +12,9 @@ use crate::reference::genz::{
 use crate::reference::integrand::{
     checkerboard_cell, disk_step, indicator, inverse_root, ishigami, offset_fraction, x_squared,
 };
-use crate::reference::real::{Real, real_negate, real_or_zero, real_uint, real_zero};
+use crate::reference::real::{
+    Real, real_add, real_negate, real_or_zero, real_square, real_uint, real_zero,
+};
 use crate::reference::sum::{Term, term};
 use glam::{UVec3, uvec2};
 
@@ -21,6 +24,9 @@ use glam::{UVec3, uvec2};
 pub fn integrand_term(problem: &Problem, point: &[u32]) -> Term {
     let made = problem.coefficients();
     let head = made.head;
+    if let Some(map) = problem.map() {
+        return term(environment_term(problem, map, point), made.scale);
+    }
     let mut state = State::start(problem);
     for (j, &u) in point.iter().enumerate() {
         state.step(problem, j, u);
@@ -40,6 +46,7 @@ pub fn integrand_term(problem: &Problem, point: &[u32]) -> Term {
         integrand::OSCILLATORY => genz_oscillation(state.word),
         integrand::CORNER_PEAK => genz_corner(state.real, problem.dimensions()),
         integrand::GAUSSIAN | integrand::CONTINUOUS => real_exp(real_negate(state.real)),
+        integrand::SQUARE_OF_SUM => real_square(state.real),
         integrand::DISCONTINUOUS if state.word != 0 => real_zero(),
         integrand::DISCONTINUOUS => real_exp(state.real),
         _ => state.real,
@@ -89,6 +96,7 @@ impl State {
             integrand::SOBOL_G => {
                 self.real = sobol_g(self.real, u, real([m, e]), real([column[2], column[3]]));
             }
+            integrand::SQUARE_OF_SUM => self.real = real_add(self.real, real_uint(u, -32)),
             _ => {}
         }
     }

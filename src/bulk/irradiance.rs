@@ -1,11 +1,12 @@
 //! The CPU's twin of the irradiance kernel: the same directions, texels and sums.
 
+use crate::reference::axis::axis_turned;
 use crate::reference::envmap::envmap_texel;
 use crate::reference::fixed::fixed64;
 use crate::reference::hammersley::hammersley;
 use crate::reference::hemisphere::cosine_hemisphere;
 use crate::reference::radical_inverse::van_der_corput;
-use glam::{Vec3, uvec2, vec3};
+use glam::uvec2;
 
 /// A map as the estimator reads it.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +62,7 @@ fn partial(map: RadianceMap, axis: u32, range: (u32, u32, u32), scale: u32) -> [
     let mut sums = [0u128; 3];
     for k in (first..count).step_by(step as usize) {
         let u = uvec2(van_der_corput(k), hammersley(k, count));
-        let direction = turned(cosine_hemisphere(u), axis);
+        let direction = axis_turned(cosine_hemisphere(u), axis);
         let texel = envmap_texel(direction, uvec2(map.size[0], map.size[1]), map.edges);
         let radiance = map.texels[(texel.y * map.size[0] + texel.x) as usize];
         for (sum, value) in sums.iter_mut().zip(radiance) {
@@ -70,20 +71,4 @@ fn partial(map: RadianceMap, axis: u32, range: (u32, u32, u32), scale: u32) -> [
         }
     }
     sums
-}
-
-/// The direction with +z turned to the axis, exactly: coordinates change places, and
-/// signs in pairs.
-fn turned(d: Vec3, axis: u32) -> Vec3 {
-    let v = match axis {
-        0 | 1 => vec3(d.z, d.x, d.y),
-        2 | 3 => vec3(d.y, d.z, d.x),
-        _ => d,
-    };
-    match axis {
-        1 => vec3(-v.x, -v.y, v.z),
-        3 => vec3(v.x, -v.y, -v.z),
-        5 => vec3(-v.x, v.y, -v.z),
-        _ => v,
-    }
 }

@@ -3,6 +3,7 @@
 mod column;
 mod estimate;
 mod integrand;
+mod integrand_environment;
 mod irradiance;
 mod maps;
 mod pairs;

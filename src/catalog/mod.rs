@@ -12,7 +12,9 @@ mod sequence;
 
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use guide::Guide;
-pub use integrands::{Coefficients, Integrand, Problem, integrands};
+pub use integrands::{
+    AXES, Coefficients, Integrand, LightMap, MIS, Problem, Setting, examples, integrands,
+};
 pub use maps::{Group, Map, Mapping, Parameter, Words, maps};
 pub use request::{Engine, Options, Output, Request, check_map};
 pub use sampler::Sampler;

@@ -25,7 +25,7 @@ mod strata;
 mod transcendental;
 
 pub use blue_noise::compare_mask;
-pub use estimates::{compare_estimates, problems};
+pub use estimates::{compare_estimates, judged_range};
 pub use functions::compare_function;
 pub use inputs::{arguments, mix};
 pub use maps::{compare_map, examples, fractions, judge_native, truth};

@@ -217,10 +217,14 @@ pub struct ConvergeArgs {
     after_help = "Sums are exact: the same bits on every device, by any number of dispatches."
 )]
 pub struct EstimateArgs {
-    /// What to integrate, as x-squared or genz-gaussian:d=8,difficulty=5; `corput integrands`
-    /// lists them.
+    /// What to integrate, as x-squared, genz-gaussian:d=8,difficulty=5 or
+    /// irradiance:map=FILE,axis=+z; `corput integrands` lists them.
     #[arg(long)]
     pub integrand: String,
+    /// How to estimate it, where there is a choice; `corput integrands` lists them, the
+    /// default first.
+    #[arg(long)]
+    pub estimator: Option<String>,
     /// The points: a sequence of `corput generate`, and its scramble, as sobol:owen.
     #[arg(long)]
     pub sampler: String,

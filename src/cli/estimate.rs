@@ -12,7 +12,10 @@ use serde_json::{Map, Value, json};
 use std::time::Instant;
 
 pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
-    let problem = Problem::parse(&args.integrand)?;
+    let mut problem = Problem::parse(&args.integrand)?;
+    if let Some(name) = &args.estimator {
+        problem = problem.with_estimator(name)?;
+    }
     let sampler = Sampler::parse(&args.sampler)?;
     let request = request(args, sampler, &problem)?;
     for warning in request.warnings.iter().chain(&sampler.lost_at(args.count)) {
@@ -101,8 +104,11 @@ fn text(problem: &Problem, request: &Request, made: &Made) -> String {
     let mean = estimate.mean().unwrap_or(f64::NAN);
     let mut lines = vec![
         format!(
-            "{} in {} dimension{}, {} points of {} from {} on",
+            "{}{} in {} dimension{}, {} points of {} from {} on",
             problem.integrand().name,
+            problem
+                .estimator()
+                .map_or(String::new(), |name| format!(" by {name}")),
             problem.dimensions(),
             if problem.dimensions() == 1 { "" } else { "s" },
             estimate.count(),
@@ -142,15 +148,23 @@ fn text(problem: &Problem, request: &Request, made: &Made) -> String {
 
 fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
     let estimate = &made.estimate;
-    let names = problem.integrand().parameters.iter().map(|one| one.name);
-    let parameters: Map<String, Value> = names
+    let parameters = problem.integrand().parameters.iter();
+    let mut parameters: Map<String, Value> = parameters
         .zip(problem.values())
-        .map(|(name, value)| (name.to_owned(), json!(value)))
+        .map(|(one, value)| {
+            let word = one.words().get(*value as usize);
+            let value = word.map_or(json!(value), |word| json!(word));
+            (one.name.to_owned(), value)
+        })
         .collect();
+    if let Some(map) = problem.map() {
+        parameters.insert("map".to_owned(), json!(map.name()));
+    }
     let independent = independent(request);
     let mean = estimate.mean();
     json!({
         "integrand": problem.integrand().name,
+        "estimator": problem.estimator(),
         "dimensions": problem.dimensions(),
         "parameters": parameters,
         "sampler": request.sequence.name(),

@@ -35,7 +35,16 @@ fn text(integrand: &'static Integrand) -> String {
             integrand.default_dimensions
         ),
     });
+    if integrand.needs_map {
+        lines.push("    map=FILE    an environment map, .exr or .hdr".to_owned());
+    }
     lines.extend(integrand.parameters.iter().map(parameter));
+    if !integrand.estimators.is_empty() {
+        lines.push(format!(
+            "    estimators: {}",
+            integrand.estimators.join(", ")
+        ));
+    }
     if let Ok(problem) = Problem::new(integrand, &[]) {
         lines.push(format!("    integral by default: {}", problem.truth()));
     }
@@ -49,7 +58,11 @@ fn text(integrand: &'static Integrand) -> String {
 
 fn parameter(one: &Parameter) -> String {
     let default = one.default.and_then(|numbers| numbers.first());
-    let default = default.map_or(String::new(), |number| format!(" [default: {number}]"));
+    let default = default.map_or(String::new(), |number| {
+        let word = one.words().get(*number as usize);
+        let text = word.map_or(number.to_string(), |word| (*word).to_owned());
+        format!(" [default: {text}]")
+    });
     format!(
         "    {}=X    {}: {}{default}",
         one.name, one.summary, one.domain
@@ -74,6 +87,8 @@ fn document(integrand: &'static Integrand) -> Value {
         "name": integrand.name,
         "summary": integrand.summary,
         "formula": integrand.formula,
+        "estimators": integrand.estimators,
+        "needs_map": integrand.needs_map,
         "least_dimensions": integrand.dimensions.0,
         "most_dimensions": integrand.dimensions.1,
         "default_dimensions": integrand.default_dimensions,

@@ -2,7 +2,7 @@
 
 use crate::bulk::integrand_term;
 use crate::catalog::Problem;
-use crate::judge;
+use crate::check::judged_range;
 use crate::reference::random::random;
 use glam::UVec2;
 
@@ -35,31 +35,33 @@ impl Floor {
 /// known, the bound of its terms stands in, which is larger.
 #[must_use]
 pub fn floor(problem: &Problem) -> Floor {
-    let (name, values) = (problem.integrand().name, problem.values());
     let unit = f64::powi(2.0, -problem.coefficients().scale);
     let mut errors = 0.0;
     let mut changes = 0.0;
+    let mut unknown = false;
     for n in 0..POINTS {
         let coordinate = |j| random(n, j, UVec2::new(0x666c, 0x6f6f));
         let point: Vec<u32> = (0..problem.dimensions()).map(coordinate).collect();
         let term = integrand_term(problem, &point);
         let magnitude = (u64::from(term.m.x) | (u64::from(term.m.y) << 32)) as f64;
         let got = if term.negative { -magnitude } else { magnitude } * unit;
-        let truth = judge::integrand(name, values, &point);
+        let [least, most] = judged_range(problem, &point);
+        // Within the judge's range there is no error to be seen.
+        errors += (got - most).max(0.0) - (least - got).max(0.0);
         let moved: Vec<u32> = point.iter().map(|u| u.saturating_add(APART)).collect();
-        errors += got - truth;
-        changes += judge::integrand(name, values, &moved) - truth;
+        let [other_least, other_most] = judged_range(problem, &moved);
+        changes += 0.5 * (other_least + other_most) - 0.5 * (least + most);
+        unknown |= least.is_nan();
     }
     let mean = |sum: f64| (sum / f64::from(POINTS)).abs();
-    let terms = mean(errors);
+    if unknown {
+        return Floor {
+            terms: problem.integrand().error * problem.coefficients().peak,
+            points: 0.0,
+        };
+    }
     Floor {
-        terms: match terms.is_nan() {
-            true => problem.integrand().error * problem.coefficients().peak,
-            false => terms,
-        },
-        points: match mean(changes) {
-            changes if changes.is_nan() => 0.0,
-            changes => changes / f64::from(2 * APART),
-        },
+        terms: mean(errors),
+        points: mean(changes) / f64::from(2 * APART),
     }
 }

@@ -113,9 +113,7 @@ pub fn key(study: &Study, row: &Row, sampler: Sampler, device: &str) -> String {
     });
     hash.update(settings.to_string());
     // What a map holds is in none of the numbers.
-    for words in row.problem.tables() {
-        hash.update(bytemuck::cast_slice(words));
-    }
+    hash.update(bytemuck::cast_slice::<u32, u8>(row.problem.tables()));
     let digest = hash.finalize();
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -43,7 +43,7 @@ impl Truth {
         watch: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Self> {
         let arithmetic = floor(&row.problem).total();
-        if let Some(value) = Some(row.problem.truth()) {
+        if let Some(value) = row.problem.known_truth() {
             return Ok(Self::stated(value, arithmetic));
         }
         let most = study.counts().iter().copied().max().unwrap_or(1);

@@ -119,7 +119,10 @@ pub mod map {
     pub const ENVIRONMENT_ALIAS: u32 = 129;
 }
 
-/// Values of the constant `INTEGRAND`.
+/// Values of the constant `INTEGRAND` that a group of integrands has, which share a kernel.
+pub const INTEGRANDS_OF_GROUP: u32 = 64;
+
+/// Values of the constant `INTEGRAND`, by group.
 pub mod integrand {
     /// x^2.
     pub const X_SQUARED: u32 = 0;
@@ -147,6 +150,17 @@ pub mod integrand {
     pub const DISCONTINUOUS: u32 = 11;
     /// Sobol's g.
     pub const SOBOL_G: u32 = 12;
+    /// Square of the sum of all coordinates.
+    pub const SQUARE_OF_SUM: u32 = 13;
+
+    /// Irradiance of a map, by uniform directions.
+    pub const IRRADIANCE_UNIFORM: u32 = 64;
+    /// By cosine-weighted ones.
+    pub const IRRADIANCE_COSINE: u32 = 65;
+    /// By the light of the map.
+    pub const IRRADIANCE_ENVIRONMENT: u32 = 66;
+    /// By half of each of the last two.
+    pub const IRRADIANCE_MIS: u32 = 67;
 }
 
 /// Values of the constant `KIND` of `pairs`.

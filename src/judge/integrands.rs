@@ -21,6 +21,7 @@ pub fn integrand(name: &str, values: &[f64], point: &[u32]) -> f64 {
         "x-squared" => x[0] * x[0],
         "offset" => values[0] + x[0],
         "inverse-root" => 1.0 / ((f64::from(point[0]) + 0.5) * UNIT).sqrt(),
+        "square-of-sum" => x.iter().sum::<f64>().powi(2),
         "disk-step" => {
             let [a, b] = [u128::from(point[0]), u128::from(point[1])];
             f64::from(u8::from(a * a + b * b < 1 << 64))

@@ -8,6 +8,7 @@ mod digits;
 pub mod environment;
 mod functions;
 mod integrands;
+pub mod irradiance;
 pub mod lights;
 pub mod line;
 mod maps;

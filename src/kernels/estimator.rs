@@ -31,6 +31,7 @@ pub struct Estimator {
     results: Buffer,
     columns: Option<Buffer>,
     coefficients: Buffer,
+    tables: Option<Buffer>,
     first: u64,
     count: u64,
     scale: i32,
@@ -48,10 +49,7 @@ impl Estimator {
     /// [`Error::Arguments`] for a request of other dimensions than the integrand's, and those
     /// of the device.
     pub fn new(device: &Arc<Device>, problem: &Problem, request: &Request) -> Result<Self> {
-        let (id, cpu) = (
-            problem.integrand().id,
-            device.info().kind == DeviceKind::Cpu,
-        );
+        let (id, cpu) = (problem.id(), device.info().kind == DeviceKind::Cpu);
         let plan = plan_estimate(&request.columns, request.count, id, cpu);
         let words = spirv(plan.kernel.name)?;
         Self::with_module(device, problem, request, plan, &words)
@@ -62,7 +60,7 @@ impl Estimator {
     /// # Errors
     /// Those of [`Self::new`].
     pub fn general(device: &Arc<Device>, problem: &Problem, request: &Request) -> Result<Self> {
-        let plan = general_estimate(&request.columns, problem.integrand().id);
+        let plan = general_estimate(&request.columns, problem.id());
         let words = spirv(plan.kernel.name)?;
         Self::with_module(device, problem, request, plan, &words)
     }
@@ -81,7 +79,7 @@ impl Estimator {
         problem.check(request, 0, request.count)?;
         let values = plan.specializations.first().map_or(&[][..], Vec::as_slice);
         let pipeline = pipeline(device, plan.kernel, words, values)?;
-        let longest = longest_estimate(&request.columns);
+        let longest = longest_estimate(&request.columns, problem.id());
         let most = BUFFER_BYTES / 4 / RECORD;
         let bytes = RECORD * most.min(request.count);
         Ok(Self {
@@ -93,6 +91,10 @@ impl Estimator {
                 .map(|words| table(device, words))
                 .transpose()?,
             coefficients: table(device, &problem.words())?,
+            tables: match problem.tables() {
+                [] => None,
+                words => Some(table(device, words)?),
+            },
             first: request.first,
             count: request.count,
             scale: problem.coefficients().scale,
@@ -176,6 +178,9 @@ impl Estimator {
         let mut buffers = vec![(0, &self.results), (2, &self.coefficients)];
         if let Some(columns) = &self.columns {
             buffers.push((1, columns));
+        }
+        if let Some(tables) = &self.tables {
+            buffers.push((3, tables));
         }
         let groups = groups(self.plan.kernel, invocations as u32);
         let timing = self

@@ -25,6 +25,7 @@
 
 pub mod annulus;
 pub mod arc;
+pub mod axis;
 pub mod beckmann;
 pub mod bits;
 pub mod blue_noise;
@@ -63,6 +64,7 @@ pub mod hash;
 pub mod hemisphere;
 pub mod henyey_greenstein;
 pub mod integrand;
+pub mod irradiance;
 pub mod lattice;
 pub mod lattice_vector;
 pub mod logarithm;

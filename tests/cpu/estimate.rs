@@ -1,7 +1,9 @@
 //! Exact sums, what is read from them, and the integrands' integrals.
 
 use corput::bulk::{estimate, integrand_term};
-use corput::catalog::{Integrand, Options, Problem, Request, Scramble, Sequence, integrands};
+use corput::catalog::{
+    Integrand, Options, Problem, Request, Scramble, Sequence, examples, integrands,
+};
 use corput::estimate::{Estimate, U256};
 use corput::glam::{UVec2, uvec2};
 use corput::judge;
@@ -283,20 +285,20 @@ fn estimates_merge_in_any_grouping() {
 #[test]
 fn integrals_are_what_sums_come_to() {
     for integrand in integrands() {
-        for (values, dimensions) in integrand.examples {
-            let problem = Problem::with_values(integrand, values, *dimensions)
-                .unwrap_or_else(|error| panic!("{error}"));
+        for problem in examples(integrand).unwrap_or_else(|error| panic!("{error}")) {
+            let (values, dimensions) = (problem.values(), problem.dimensions());
             let (mean, margin) = match dimensions {
                 1 => midpoint(integrand, values),
                 _ => scrambled(&problem),
             };
             let truth = problem.truth();
-            let name = format!("{} {values:?} {dimensions}", integrand.name);
+            let estimator = problem.estimator().unwrap_or("");
+            let name = format!("{} {estimator} {values:?} {dimensions}", integrand.name);
             assert!(
                 (mean - truth).abs() <= margin,
                 "{name}: {mean}, not {truth} +- {margin}"
             );
-            if *dimensions == 1 || *dimensions == 8 {
+            if dimensions == 1 || dimensions == 8 {
                 assert!(
                     (mean - 1.02 * truth).abs() > margin,
                     "{name}: {margin} sees nothing"

@@ -19,7 +19,7 @@ const LANGUAGES: [(&str, &str); 2] = [
 ];
 
 /// Hooks: the header that needs it, the macro, a definition.
-const HOOKS: [(&str, &str, &str); 10] = [
+const HOOKS: [(&str, &str, &str); 11] = [
     (
         "corput/halton.glsl",
         "CORPUT_PRIME",
@@ -67,6 +67,11 @@ const HOOKS: [(&str, &str, &str); 10] = [
     ),
     (
         "corput/environment.glsl",
+        "CORPUT_DISCRETE",
+        "#define CORPUT_DISCRETE(i) ((i) * 0x9e3779b9u)\n",
+    ),
+    (
+        "corput/irradiance.glsl",
         "CORPUT_DISCRETE",
         "#define CORPUT_DISCRETE(i) ((i) * 0x9e3779b9u)\n",
     ),

@@ -8,6 +8,15 @@ mod source;
 use source::{Declarations, Function, files, glsl, reached, read, rust, words};
 use std::collections::BTreeSet;
 
+/// Those of the estimators of irradiance.
+const IRRADIANCE: &[(&str, &str)] = &[
+    ("UVec2", "size"),
+    ("u32", "axis"),
+    ("UVec2", "u"),
+    ("&[f32]", "edges"),
+    ("&[u32]", "words"),
+];
+
 /// Parameters that differ because a hook macro of the header is a parameter of the twin:
 /// (function without prefix, parameters of the twin).
 const HOOKS: &[(&str, &[(&str, &str)])] = &[
@@ -195,6 +204,23 @@ const HOOKS: &[(&str, &[(&str, &str)])] = &[
         &[
             ("UVec2", "size"),
             ("Vec3", "direction"),
+            ("&[f32]", "edges"),
+            ("&[u32]", "words"),
+        ],
+    ),
+    (
+        "irradiance_light",
+        &[("UVec2", "size"), ("UVec2", "texel"), ("&[u32]", "words")],
+    ),
+    ("irradiance_uniform", IRRADIANCE),
+    ("irradiance_cosine", IRRADIANCE),
+    ("irradiance_environment", IRRADIANCE),
+    (
+        "irradiance_mis",
+        &[
+            ("UVec2", "size"),
+            ("u32", "axis"),
+            ("UVec3", "u"),
             ("&[f32]", "edges"),
             ("&[u32]", "words"),
         ],

@@ -127,7 +127,7 @@ fn no_size_of_a_group_shows() {
             let problem = problem(text);
             let request = points(&problem, Some(Scramble::OwenHash), 77, COUNT);
             let expected = bulk::estimate(&problem, &request, 0, COUNT).expect("sums");
-            let id = problem.integrand().id;
+            let id = problem.id();
             for size in [1, 32, 64, 128] {
                 let plan = match general {
                     true => general_estimate(&request.columns, id),

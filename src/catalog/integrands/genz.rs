@@ -32,11 +32,12 @@ const BASE: Integrand = Integrand {
     dimensions: (1, 64),
     default_dimensions: 8,
     parameters: &[],
-    prepare: |_, _| Err(0),
-    truth: |_, _| 0.0,
+    estimators: &[],
+    needs_map: false,
+    prepare: |_| Err(0),
+    truth: |_| 0.0,
     error: 2.5e-7,
     finite_variance: true,
-    estimators: &[],
     examples: &[
         (&[0.001], 1),
         (&[100.0], 1),
@@ -55,10 +56,11 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         name: "genz-oscillatory",
         id: integrand::OSCILLATORY,
         parameters: &[difficulty(&[9.0])],
-        prepare: oscillatory,
-        truth: |values, d| {
-            let sum: f64 = rates(values[0], d).sum();
-            let factors = rates(values[0], d).map(|c| (0.5 * c).sin() / (0.5 * c));
+        prepare: |s| oscillatory(s.values, s.dimensions),
+        truth: |s| {
+            let rates = || rates(s.values[0], s.dimensions);
+            let sum: f64 = rates().sum();
+            let factors = rates().map(|c| (0.5 * c).sin() / (0.5 * c));
             (TAU * unit(place(0)) + 0.5 * sum).cos() * factors.product::<f64>()
         },
         summary: "smooth, oscillating",
@@ -69,7 +71,8 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         name: "genz-product-peak",
         id: integrand::PRODUCT_PEAK,
         parameters: &[difficulty(&[7.25])],
-        prepare: |values, d| {
+        prepare: |s| {
+            let (values, d) = (s.values, s.dimensions);
             let h = within(values, 0, 0.001, 100.0)?;
             let peak = rates(h, d).map(|c| c * c).product();
             dominant(
@@ -77,7 +80,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
                 product_peak(values, d),
             )
         },
-        truth: product_peak,
+        truth: |s| product_peak(s.values, s.dimensions),
         summary: "smooth, a peak in each coordinate",
         formula: "product of 1 / (c_j^-2 + (x_j - w_j)^2)",
         ..BASE
@@ -86,8 +89,11 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         name: "genz-corner-peak",
         id: integrand::CORNER_PEAK,
         parameters: &[difficulty(&[1.85])],
-        prepare: |values, d| dominant(peaked(values, d, |c| c, 1.0), corner_peak(values, d)),
-        truth: corner_peak,
+        prepare: |s| {
+            let (values, d) = (s.values, s.dimensions);
+            dominant(peaked(values, d, |c| c, 1.0), corner_peak(values, d))
+        },
+        truth: |s| corner_peak(s.values, s.dimensions),
         examples: &[
             (&[0.001], 1),
             (&[100.0], 1),
@@ -103,8 +109,11 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         name: "genz-gaussian",
         id: integrand::GAUSSIAN,
         parameters: &[difficulty(&[7.03])],
-        prepare: |values, d| dominant(peaked(values, d, |c| c, 1.0), gaussian(values, d)),
-        truth: gaussian,
+        prepare: |s| {
+            let (values, d) = (s.values, s.dimensions);
+            dominant(peaked(values, d, |c| c, 1.0), gaussian(values, d))
+        },
+        truth: |s| gaussian(s.values, s.dimensions),
         summary: "smooth, a Gaussian",
         formula: "exp(-sum of c_j^2 (x_j - w_j)^2)",
         ..BASE
@@ -113,8 +122,11 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         name: "genz-continuous",
         id: integrand::CONTINUOUS,
         parameters: &[difficulty(&[20.4])],
-        prepare: |values, d| dominant(peaked(values, d, |c| c, 1.0), continuous(values, d)),
-        truth: continuous,
+        prepare: |s| {
+            let (values, d) = (s.values, s.dimensions);
+            dominant(peaked(values, d, |c| c, 1.0), continuous(values, d))
+        },
+        truth: |s| continuous(s.values, s.dimensions),
         summary: "continuous, with kinks",
         formula: "exp(-sum of c_j |x_j - w_j|)",
         ..BASE
@@ -123,8 +135,8 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         name: "genz-discontinuous",
         id: integrand::DISCONTINUOUS,
         parameters: &[difficulty(&[4.3])],
-        prepare: discontinuous_words,
-        truth: discontinuous,
+        prepare: |s| discontinuous_words(s.values, s.dimensions),
+        truth: |s| discontinuous(s.values, s.dimensions),
         error: 2.5e-6,
         examples: &[
             (&[0.001], 1),
@@ -158,7 +170,8 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
                 summary: "its place along each axis",
             },
         ],
-        prepare: |values, d| {
+        prepare: |s| {
+            let (values, d) = (s.values, s.dimensions);
             let c = within(values, 0, 1e-6, 1.0)?.recip() / SQRT_2;
             within(values, 1, 0.0, 0.999)?;
             let [m, e] = real_words(c);
@@ -168,7 +181,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
                 gaussian_peak(values, d),
             )
         },
-        truth: gaussian_peak,
+        truth: |s| gaussian_peak(s.values, s.dimensions),
         examples: &[
             (&[1e-3, 0.4], 1),
             (&[1e-6, 0.381_966_011_250_105], 1),
@@ -191,8 +204,8 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
             domain: "it must be from 0.25 to 1000",
             summary: "a_j = growth j, j from 0 on: small where all variables matter",
         }],
-        prepare: sobol_g,
-        truth: |_, _| 1.0,
+        prepare: |s| sobol_g(s.values, s.dimensions),
+        truth: |_| 1.0,
         examples: &[(&[1.0], 8), (&[0.25], 64), (&[1000.0], 3), (&[1.0], 1)],
         summary: "kinks in the middle, and variables of declining weight",
         formula: "product of (|4 x_j - 2| + a_j) / (1 + a_j)",

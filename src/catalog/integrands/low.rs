@@ -11,11 +11,12 @@ const BASE: Integrand = Integrand {
     dimensions: (1, 1),
     default_dimensions: 1,
     parameters: &[],
-    prepare: |_, _| Ok(Coefficients::exact(0, 1.0)),
-    truth: |_, _| 0.0,
+    estimators: &[],
+    needs_map: false,
+    prepare: |_| Ok(Coefficients::exact(0, 1.0)),
+    truth: |_| 0.0,
     error: 0.0,
     finite_variance: true,
-    estimators: &[],
     examples: &[(&[], 1)],
     summary: "",
     formula: "",
@@ -29,8 +30,8 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
     Integrand {
         name: "x-squared",
         id: integrand::X_SQUARED,
-        prepare: |_, _| Ok(Coefficients::exact(64, 1.0)),
-        truth: |_, _| 1.0 / 3.0,
+        prepare: |_| Ok(Coefficients::exact(64, 1.0)),
+        truth: |_| 1.0 / 3.0,
         summary: "the square, exact in 64 bits",
         formula: "x^2",
         source: "the plainest integral of all",
@@ -46,8 +47,8 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
             domain: "it must be a whole number from 0 to 4294967295",
             summary: "what is added to x",
         }],
-        prepare: |values, _| {
-            let offset = within(values, 0, 0.0, u32::MAX.into())?;
+        prepare: |s| {
+            let offset = within(s.values, 0, 0.0, u32::MAX.into())?;
             if offset.fract() != 0.0 {
                 return Err(0);
             }
@@ -57,7 +58,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
                 ..coefficients
             })
         },
-        truth: |values, _| values[0] + 0.5,
+        truth: |s| s.values[0] + 0.5,
         examples: &[(&[1e6], 1), (&[0.0], 1), (&[4_294_967_295.0], 1)],
         summary: "a mean of millions of standard deviations, exact in 64 bits",
         formula: "offset + x",
@@ -68,14 +69,14 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         name: "inverse-root",
         id: integrand::INVERSE_ROOT,
         // At x = 2^-33 it is 2^16.5.
-        prepare: |_, _| {
+        prepare: |_| {
             Ok(Coefficients::real(
                 [0; 4],
                 Vec::new(),
                 92_681.900_023_683_16,
             ))
         },
-        truth: |_, _| 2.0,
+        truth: |_| 2.0,
         error: 4e-9,
         finite_variance: false,
         summary: "a pole at 0, and no variance; x in the middle of its cell of 2^-32",
@@ -88,7 +89,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         id: integrand::DISK_STEP,
         dimensions: (2, 2),
         default_dimensions: 2,
-        truth: |_, _| FRAC_PI_4,
+        truth: |_| FRAC_PI_4,
         examples: &[(&[], 2)],
         summary: "a quarter of the unit disk, exact",
         formula: "1 where x^2 + y^2 < 1, else 0",
@@ -107,8 +108,8 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
             domain: "it must be a whole number from 1 to 65536",
             summary: "cells along each axis",
         }],
-        prepare: |values, _| {
-            let cells = within(values, 0, 1.0, 65536.0)?;
+        prepare: |s| {
+            let cells = within(s.values, 0, 1.0, 65536.0)?;
             if cells.fract() != 0.0 {
                 return Err(0);
             }
@@ -118,11 +119,31 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
                 ..coefficients
             })
         },
-        truth: checkerboard,
+        truth: |s| checkerboard(s.values, s.dimensions),
         examples: &[(&[7.0], 2), (&[1.0], 1), (&[65536.0], 2), (&[3.0], 64)],
         summary: "a checkerboard, also of many dimensions, exact",
         formula: "1 where the sum of floor(cells x_j) is even, else 0",
         source: "the eye's favourite test of aliasing",
+        ..BASE
+    },
+    Integrand {
+        name: "square-of-sum",
+        id: integrand::SQUARE_OF_SUM,
+        dimensions: (1, 64),
+        default_dimensions: 2,
+        prepare: |s| {
+            let d = f64::from(s.dimensions);
+            Ok(Coefficients::real([0; 4], Vec::new(), d * d))
+        },
+        truth: |s| {
+            let d = f64::from(s.dimensions);
+            d / 12.0 + d * d / 4.0
+        },
+        error: 3.1e-8,
+        examples: &[(&[], 2), (&[], 1), (&[], 7), (&[], 64)],
+        summary: "smooth, of which nets err by little",
+        formula: "(sum of x_j)^2",
+        source: "Owen 1997, Scrambled net variance for integrals of smooth functions",
         ..BASE
     },
     Integrand {
@@ -146,21 +167,23 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
                 summary: "weight of the third",
             },
         ],
-        prepare: |values, _| {
-            let a = within(values, 0, 0.0, 1000.0)?;
-            let b = within(values, 1, 0.0, 1000.0)?;
+        prepare: |s| {
+            let a = within(s.values, 0, 0.0, 1000.0)?;
+            let b = within(s.values, 1, 0.0, 1000.0)?;
             let [[a_m, a_e], [b_m, b_e]] = [real_words(a), real_words(b * PI_4)];
             let head = [a_m, a_e, b_m, b_e];
             Ok(Coefficients::real(head, Vec::new(), 1.0 + a + b * PI_4))
         },
         finite_variance: true,
         estimators: &[],
-        truth: |values, _| values[0] / 2.0,
+        needs_map: false,
+        truth: |s| s.values[0] / 2.0,
         error: 1e-8,
         examples: &[(&[7.0, 0.1], 3), (&[0.0, 0.0], 3), (&[1000.0, 1000.0], 3)],
         summary: "three variables that act together",
         formula: "sin t_1 + a sin^2 t_2 + b t_3^4 sin t_1, t = pi (2 x - 1)",
         source: "Ishigami and Homma 1990",
+        ..BASE
     },
 ];
 

@@ -3,12 +3,22 @@
 //! An integrand is a row here. A new one needs its functions in a header of
 //! `shaders/corput` with their twin, an id in `interface::integrand`, its lines in
 //! `shaders/kernels/integrand.glsl` and in `bulk/integrand.rs`, and an independent form of it
-//! in the tests. Then `estimate` and `integrands` know it.
+//! in `judge`. Then `estimate` and `integrands` know it.
+//!
+//! Problems of rendering have several estimators of one integral, as of the irradiance of a
+//! map by directions that are uniform, cosine-weighted or drawn by the map's light: the term
+//! of a point is then the integrand over the density of the direction that it draws. They
+//! lie in groups with a kernel each, `shaders/kernels/integrand_*.glsl`.
 
+mod examples;
 mod genz;
+mod irradiance;
+mod light;
 mod low;
 mod problem;
 
+pub use examples::examples;
+pub use light::{AXES, LightMap};
 pub use problem::Problem;
 
 use super::Parameter;
@@ -49,16 +59,32 @@ impl Coefficients {
     }
 }
 
-/// The coefficients for parameters, in their order, and dimensions; or the number of the
-/// parameter that is outside its domain.
-pub type Prepare = fn(&[f64], u32) -> core::result::Result<Coefficients, usize>;
+/// What an integrand is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting<'a> {
+    /// The numbers of its parameters, in their order.
+    pub values: &'a [f64],
+    /// Its dimensions, without the one that [`MIS`] takes besides.
+    pub dimensions: u32,
+    /// Which of its estimators.
+    pub estimator: usize,
+    /// The map of one that needs it.
+    pub map: Option<&'a LightMap>,
+}
+
+/// The coefficients; or the number of the parameter that is outside its domain.
+pub type Prepare = fn(&Setting) -> core::result::Result<Coefficients, usize>;
+
+/// The estimator that combines techniques by the balance heuristic, one sample a point: a
+/// coordinate more than the others have chooses the technique.
+pub const MIS: &str = "mis";
 
 /// A function of the unit cube.
 #[derive(Clone, Copy, Debug)]
 pub struct Integrand {
     /// The name on the command line.
     pub name: &'static str,
-    /// Value of the specialization constant `INTEGRAND`.
+    /// Value of the specialization constant `INTEGRAND`, of its first estimator.
     pub id: u32,
     /// The fewest and the most dimensions.
     pub dimensions: (u32, u32),
@@ -66,13 +92,16 @@ pub struct Integrand {
     pub default_dimensions: u32,
     /// Its parameters, one number each, besides the dimensions d.
     pub parameters: &'static [Parameter],
+    /// Its estimators, the default first, of which number k has the id `id + k`. None: the
+    /// integrand itself at points of the cube.
+    pub estimators: &'static [&'static str],
+    /// Whether it needs an environment map, as the parameter `map`.
+    pub needs_map: bool,
     /// Checks the parameters, and makes of them what kernels take.
     pub prepare: Prepare,
-    /// Names of its estimators, the default first; none where there is no choice.
-    pub estimators: &'static [&'static str],
-    /// Its integral.
-    pub truth: fn(&[f64], u32) -> f64,
-    /// Worst error of a term as a share of the integrand's peak; its unit comes to 2^-63 of
+    /// Its integral, whatever the estimator; NaN where none is known.
+    pub truth: fn(&Setting) -> f64,
+    /// Worst error of a term as a share of the estimator's peak; its unit comes to 2^-63 of
     /// it. 0: terms are exact.
     pub error: f64,
     /// Whether its variance is finite, so that mean squares of errors say something.
@@ -100,6 +129,18 @@ impl Integrand {
     }
 }
 
+impl Parameter {
+    /// The words that stand for a parameter's numbers 0, 1, 2 and so on, of an integrand's
+    /// parameter that takes no others: those of `axis`.
+    #[must_use]
+    pub fn words(&self) -> &'static [&'static str] {
+        match self.name {
+            "axis" => &AXES,
+            _ => &[],
+        }
+    }
+}
+
 /// Two integrands of the same name are the same.
 impl PartialEq for Integrand {
     fn eq(&self, other: &Self) -> bool {
@@ -109,7 +150,10 @@ impl PartialEq for Integrand {
 
 /// Every integrand, in the order of the documentation.
 pub fn integrands() -> impl Iterator<Item = &'static Integrand> {
-    low::INTEGRANDS.iter().chain(genz::INTEGRANDS)
+    low::INTEGRANDS
+        .iter()
+        .chain(genz::INTEGRANDS)
+        .chain(irradiance::INTEGRANDS)
 }
 
 /// The two words of x > 0 as a real: a significand of 32 bits, rounded, and an exponent.

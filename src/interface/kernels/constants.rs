@@ -106,6 +106,13 @@ pub(super) const COEFFICIENTS: Binding = Binding {
     element: Element::Uint,
     input: true,
 };
+/// What it says in bulk: the texels and distribution of a map.
+pub(super) const TABLES: Binding = Binding {
+    binding: 3,
+    name: "tables",
+    element: Element::Uint,
+    input: true,
+};
 pub(super) const POINTS: Binding = Binding {
     binding: 1,
     name: "points",

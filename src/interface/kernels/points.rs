@@ -3,13 +3,14 @@
 use super::super::{FAMILIES, Family, Kernel, Profile};
 use super::constants::{
     COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, INTEGRAND, MAP, OUTPUT, PART,
-    RESULTS, ROW, TILE, WITH_PDF, WORK,
+    RESULTS, ROW, TABLES, TILE, WITH_PDF, WORK,
 };
 
 /// The kernels of a family that make points: the general one, tiles of one to four
 /// columns, tiles of two that a map follows, in both profiles, and estimates: the general
-/// one, and tiles of one to four columns.
-pub(super) const POINT_KERNELS: usize = 12;
+/// one, tiles of one to four columns, and the general one of each group of integrands of
+/// rendering.
+pub(super) const POINT_KERNELS: usize = 13;
 
 macro_rules! point_kernels {
     ($family:expr, $suffix:literal) => {
@@ -95,6 +96,14 @@ macro_rules! point_kernels {
                 name: concat!("estimate_tile_4", $suffix),
                 defines: &[("TILE_COLUMNS", "4")],
                 columns: Some(($family, 4)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_environment", $suffix),
+                defines: &[("COLUMN_TABLE", "1"), ("RENDER_ENVIRONMENT", "1")],
+                bindings: &[RESULTS, COLUMNS, COEFFICIENTS, TABLES],
+                constants: &[DIMENSIONS, INTEGRAND],
+                columns: Some(($family, 0)),
                 ..estimates()
             },
         ]
