@@ -27,7 +27,7 @@ const LEVELS: [&[&str]; 7] = [
     ],
     &["kernels", "bulk"],
     &["check"],
-    &["bench", "demo", "converge"],
+    &["accuracy", "bench", "demo", "converge"],
     &["cli"],
 ];
 
