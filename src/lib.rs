@@ -33,6 +33,8 @@
 //! ```
 
 #[cfg(feature = "gpu")]
+pub mod accuracy;
+#[cfg(feature = "gpu")]
 pub mod bench;
 pub mod blue_noise;
 pub mod bulk;

@@ -10,7 +10,9 @@
 //! lightness rises along it; series take the palette of Okabe and Ito. Both survive the
 //! common colour-vision deficiencies.
 
+mod axis;
 mod gallery;
+mod labels;
 mod lines;
 mod numbers;
 mod pairs;
@@ -21,6 +23,7 @@ mod sheet;
 mod square;
 mod svg;
 mod text;
+mod tradeoff;
 
 pub use gallery::{GalleryStyle, Panel, Points, gallery};
 pub use lines::{LinesStyle, Series, error_lines};
@@ -29,6 +32,7 @@ pub use pairs::{MAX_DIMENSIONS, pairs_points};
 pub use png::to_png;
 pub use scatter::{ScatterStyle, points_and_directions, scatter, scatter_directions};
 pub use sheet::{SheetStyle, Stack, View, sheet};
+pub use tradeoff::{Tradeoff, TradeoffStyle, tradeoff};
 
 use crate::error::{Error, Result};
 

@@ -5,6 +5,7 @@
 #define KERNEL_MAP_MAIN_GLSL
 
 #include "map_store.glsl"
+#include "repeat.glsl"
 
 // An attribute of the loop over an invocation's four points.
 #ifndef MAP_LOOP
@@ -55,6 +56,33 @@ uvec4 map_result(uint n) {
     return uvec4(0u);
 }
 
+// The fractions that the map takes of these; the others are 0.
+uvec3 map_taken(uvec3 u) {
+    uvec3 taken = uvec3(u.x, 0u, 0u);
+    if (DIMENSIONS > 1u) {
+        taken.y = u.y;
+    }
+    if (DIMENSIONS > 2u) {
+        taken.z = u.z;
+    }
+    return taken;
+}
+
+// Samples of the recurrence's fractions, folded into one.
+uvec4 map_repeated(uint i) {
+    uvec3 u = repeat_first(i);
+    uvec4 all = uvec4(0u);
+    [[dont_unroll]] for (uint k = 0u; k < REPEATS; k++) {
+        u = repeat_next(u);
+        if (TASK == REPEAT) {
+            all ^= map_sample(map_taken(u));
+        } else {
+            all ^= uvec4(map_taken(u), 0u);
+        }
+    }
+    return all;
+}
+
 void main() {
     uint i = kernel_invocation();
     if (i >= push.invocations) {
@@ -65,6 +93,10 @@ void main() {
         return;
     }
     MAP_PREPARE
+    if (TASK >= REPEAT) {
+        results[i] = map_repeated(i);
+        return;
+    }
     uvec4 made[4];
     MAP_LOOP for (uint k = 0u; k < 4u; k++) {
         made[k] = map_result(4u * i + k);

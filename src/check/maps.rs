@@ -10,7 +10,7 @@ use crate::Result;
 use crate::bulk::{map_invert, map_pdf, map_sample};
 use crate::catalog::{Group, Map, Mapping, Profile};
 use crate::interface::task;
-use crate::judge::ulp_error;
+use crate::judge::{ulp_above, ulp_error};
 use crate::kernels::Mapper;
 use crate::vulkan::Device;
 use std::sync::Arc;
@@ -219,15 +219,6 @@ fn error(map: &Map, got: &[u32], truth: &[f64; 4]) -> (f64, f64) {
         }
     }
     worst
-}
-
-/// The error in ULP of the truth, or of `floor` where that is larger.
-fn ulp_above(got: f32, truth: f64, floor: f64) -> f64 {
-    if truth.abs() >= floor {
-        return ulp_error(got, truth);
-    }
-    let exponent = (floor.to_bits() >> 52) as i32 - 1023;
-    (f64::from(got) - truth).abs() / f64::powi(2.0, exponent - 23)
 }
 
 fn inverse(

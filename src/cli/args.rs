@@ -48,6 +48,8 @@ pub enum Command {
     Demo(DemoArgs),
     /// Measure speed, verified first, as a ratio to a fill of the same bytes.
     Bench(BenchArgs),
+    /// Measure errors and speed of single functions, exact against native.
+    Accuracy(AccuracyArgs),
     /// Draw the points of .npy files: scatter, pairs of dimensions, power spectrum.
     Plot(PlotArgs),
 }
@@ -321,6 +323,26 @@ pub struct BenchArgs {
     /// Print one JSON document.
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "docs/accuracy.md says what the columns mean.")]
+pub struct AccuracyArgs {
+    /// Device by index or part of its name.
+    #[arg(long)]
+    pub device: Option<String>,
+    /// Only these functions and maps, as sqrt,cone [default: all].
+    #[arg(long, value_delimiter = ',')]
+    pub function: Vec<String>,
+    /// Name the functions and maps, and measure nothing.
+    #[arg(long, conflicts_with_all = ["function", "json", "report"])]
+    pub list: bool,
+    /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
+    /// Write accuracy.html, .svg, .png, .json and .csv into this folder.
+    #[arg(long, value_name = "DIR")]
+    pub report: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -1,5 +1,6 @@
 //! Commands: parse, call, print, exit code.
 
+mod accuracy;
 mod args;
 mod bench;
 mod check;
@@ -45,6 +46,7 @@ pub fn main() -> ExitCode {
         Command::Headers(args) => headers::run(args),
         Command::Demo(args) => demo::run(args),
         Command::Bench(args) => bench::run(args),
+        Command::Accuracy(args) => accuracy::run(args),
         Command::Plot(args) => plot::run(args),
     };
     match result {

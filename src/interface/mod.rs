@@ -25,6 +25,9 @@ pub const MAP_PARAMETERS: usize = 16;
 /// Words of a map's tables that one buffer holds: 128 MiB, which every device allows.
 pub const TABLE_WORDS: usize = 1 << 25;
 
+/// Evaluations of an invocation that measures the speed of a function.
+pub const REPEATS: u32 = 64;
+
 /// Values of the constant `OUTPUT`.
 pub mod output {
     /// u0.32 fractions.
@@ -33,7 +36,8 @@ pub mod output {
     pub const FLOATS: u32 = 1;
 }
 
-/// Values of the constant `TASK`: what a map kernel does with its input.
+/// Values of the constant `TASK`: what a map kernel does with its input. The kernels of
+/// elementary functions know the first and the last two.
 pub mod task {
     /// Fractions to samples and their pdf.
     pub const SAMPLE: u32 = 0;
@@ -43,6 +47,11 @@ pub mod task {
     pub const INVERT: u32 = 2;
     /// Parameters to what the others take of them, where the host prepares that.
     pub const PREPARE: u32 = 3;
+    /// Samples of fractions that the kernel makes, [`REPEATS`](super::REPEATS) an invocation
+    /// and folded into one: to measure their speed.
+    pub const REPEAT: u32 = 4;
+    /// The same loop without the samples.
+    pub const BARE: u32 = 5;
 }
 
 /// Values of the constant `MAP`, by group of maps.

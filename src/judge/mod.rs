@@ -51,3 +51,14 @@ pub fn ulp_error(got: f32, truth: f64) -> f64 {
     let exponent = (magnitude.to_bits() >> 52) as i32 - 1023;
     (f64::from(got) - truth).abs() / f64::powi(2.0, exponent - 23)
 }
+
+/// The same in units of the last place of `floor` where the truth is smaller, for functions
+/// whose error is not relative there.
+#[must_use]
+pub fn ulp_above(got: f32, truth: f64, floor: f64) -> f64 {
+    if truth.abs() >= floor {
+        return ulp_error(got, truth);
+    }
+    let exponent = (floor.to_bits() >> 52) as i32 - 1023;
+    (f64::from(got) - truth).abs() / f64::powi(2.0, exponent - 23)
+}

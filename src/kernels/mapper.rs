@@ -104,6 +104,16 @@ impl Mapper {
         )
     }
 
+    /// The loops of so many invocations by the tasks `REPEAT` and `BARE`, each with 16 bytes
+    /// of the results.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn repeat(&self, results: &Buffer, invocations: u32) -> Result<Timing> {
+        let unused = Buffer::new(&self.device, 16, Access::Upload)?;
+        self.dispatch(&unused, results, 4 * u64::from(invocations))
+    }
+
     /// So many words of what the device prepares of the parameters, by the task of that
     /// name: the first table of a mapping, which the host prepares.
     ///

@@ -1,5 +1,6 @@
 //! Typed wrappers of the stock kernels: Rust arguments in, results out.
 
+mod elementary;
 mod estimator;
 mod evaluator;
 mod generator;
@@ -9,6 +10,7 @@ mod pairs;
 mod points;
 mod void_and_cluster;
 
+pub use elementary::Elementary;
 pub use estimator::Estimator;
 pub use evaluator::Evaluator;
 pub use generator::Generator;

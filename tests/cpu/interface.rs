@@ -8,7 +8,7 @@ mod source;
 use corput::blue_noise::MaskShape;
 use corput::interface::{
     Element, EstimatePush, Family, IrradiancePush, KERNELS, MaskPush, PairsPush, PushConstants,
-    WorkPush, column_kind, map, output,
+    REPEATS, WorkPush, column_kind, map, output,
 };
 use corput::kernels::spirv;
 use facts::{constants, promised, reflected};
@@ -171,7 +171,10 @@ fn shaders_repeat_the_right_numbers() {
         .collect();
     let ids: BTreeSet<_> = maps.iter().flat_map(|name| numbers(&text(name))).collect();
     assert_eq!(ids, table("map"));
-    assert_eq!(numbers(&text("map_main.glsl")), table("task"));
+    let tasks = text("map_main.glsl") + &text("repeat.glsl");
+    assert_eq!(numbers(&tasks), table("task"));
+    let repeats = format!("#define REPEATS {REPEATS}u");
+    assert!(text("repeat.glsl").contains(&repeats), "no `{repeats}`");
     assert_eq!(numbers(&text("pairs.comp")), table("pair_kind"));
     let integrands: Vec<&String> = kernels
         .iter()
@@ -190,7 +193,7 @@ fn shaders_repeat_the_right_numbers() {
     )));
     // No other shader has numbers of its own at file level.
     for name in &kernels {
-        let listed = ["map_main.glsl", "pairs.comp"].contains(&name.as_str());
+        let listed = ["map_main.glsl", "pairs.comp", "repeat.glsl"].contains(&name.as_str());
         let groups = [&columns, &maps, &integrands];
         let known = groups.iter().any(|group| group.contains(&name)) || listed;
         assert!(known || numbers(&text(name)).is_empty(), "{name}");

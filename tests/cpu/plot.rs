@@ -8,6 +8,8 @@ mod gallery;
 mod shapes;
 #[path = "plot/sheet.rs"]
 mod sheet;
+#[path = "plot/tradeoff.rs"]
+mod tradeoff;
 
 use corput::Error;
 use corput::plot::{

@@ -1,5 +1,7 @@
 //! The binary as its user meets it: what it writes, says, refuses and returns.
 
+#[path = "cli/accuracy.rs"]
+mod accuracy;
 #[path = "cli/blue_noise.rs"]
 mod blue_noise;
 #[path = "cli/commands.rs"]

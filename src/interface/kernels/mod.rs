@@ -54,6 +54,16 @@ const fn evaluate(
     }
 }
 
+/// Elementary functions that both profiles have.
+const fn functions(name: &'static str, profile: Profile) -> Kernel {
+    Kernel {
+        push: WORK,
+        bindings: &[RESULTS, ARGUMENTS],
+        constants: &[FUNCTION, TASK],
+        ..maps(name, "function.comp", MAPPED, profile)
+    }
+}
+
 const fn pairs(name: &'static str, source: &'static str, constants: &'static [Constant]) -> Kernel {
     Kernel {
         name,
@@ -192,6 +202,8 @@ const EVALUATORS: &[Kernel] = &[
     evaluate("evaluate_real_portable", "evaluate_real.comp", PORTABLE, Profile::Integer),
     evaluate("evaluate_strata", "evaluate_strata.comp", &[], Profile::Integer),
     evaluate("evaluate_strata_portable", "evaluate_strata.comp", PORTABLE, Profile::Integer),
+    functions("function", Profile::Integer),
+    functions("function_native", Profile::Native),
 ];
 
 const MAPPED: &[Binding] = &[RESULTS, POINTS];
