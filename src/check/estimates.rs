@@ -163,6 +163,7 @@ fn range(problem: &Problem, point: &[u32]) -> [f64; 2] {
             };
             lit.sample(estimator, u)
         }
+        (Some(estimator), None) => judge::scene(name, estimator, values, u),
         _ => [judge::integrand(name, values, point); 2],
     }
 }
