@@ -6,6 +6,8 @@
 #include "interface.glsl"
 #if defined RENDER_ENVIRONMENT
 #include "integrand_environment.glsl"
+#elif defined RENDER_SCENE
+#include "integrand_scene.glsl"
 #else
 #include "integrand.glsl"
 #endif

@@ -2,6 +2,7 @@
 //! then the term.
 
 use super::integrand_environment::environment_term;
+use super::integrand_scene::scene_term;
 use crate::catalog::Problem;
 use crate::interface::integrand;
 use crate::reference::exponential::real_exp;
@@ -26,6 +27,9 @@ pub fn integrand_term(problem: &Problem, point: &[u32]) -> Term {
     let head = made.head;
     if let Some(map) = problem.map() {
         return term(environment_term(problem, map, point), made.scale);
+    }
+    if problem.estimator().is_some() {
+        return term(scene_term(problem, point), made.scale);
     }
     let mut state = State::start(problem);
     for (j, &u) in point.iter().enumerate() {

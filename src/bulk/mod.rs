@@ -4,6 +4,7 @@ mod column;
 mod estimate;
 mod integrand;
 mod integrand_environment;
+mod integrand_scene;
 mod irradiance;
 mod maps;
 mod pairs;

@@ -164,6 +164,7 @@ pub fn judged_range(problem: &Problem, point: &[u32]) -> [f64; 2] {
             };
             lit.sample(estimator, u)
         }
+        (Some(estimator), None) => judge::scene(name, estimator, values, u),
         _ => [judge::integrand(name, values, point); 2],
     }
 }

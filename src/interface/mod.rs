@@ -170,6 +170,25 @@ pub mod integrand {
     pub const IRRADIANCE_ENVIRONMENT: u32 = 66;
     /// By half of each of the last two.
     pub const IRRADIANCE_MIS: u32 = 67;
+
+    /// Irradiance of a sky, by uniform directions.
+    pub const SKY_UNIFORM: u32 = 128;
+    /// By cosine-weighted ones.
+    pub const SKY_COSINE: u32 = 129;
+    /// Irradiance of a spherical triangle, by uniform directions.
+    pub const POLYGON_UNIFORM: u32 = 132;
+    /// By cosine-weighted ones.
+    pub const POLYGON_COSINE: u32 = 133;
+    /// By its own.
+    pub const POLYGON_LIGHT: u32 = 134;
+    /// By half of each of the last two.
+    pub const POLYGON_MIS: u32 = 135;
+    /// White furnace of GGX, by uniform directions.
+    pub const FURNACE_UNIFORM: u32 = 136;
+    /// By cosine-weighted ones.
+    pub const FURNACE_COSINE: u32 = 137;
+    /// By visible normals.
+    pub const FURNACE_VISIBLE: u32 = 138;
 }
 
 /// Values of the constant `KIND` of `pairs`.

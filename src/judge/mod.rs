@@ -16,6 +16,7 @@ mod normal;
 pub mod planar;
 pub mod random;
 mod scattering;
+mod scenes;
 pub mod spherical;
 pub mod spherical_triangle;
 mod strata;
@@ -36,6 +37,7 @@ pub use scattering::{
     Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_fractions,
     henyey_greenstein_pdf,
 };
+pub use scenes::scene;
 pub use strata::{additive, cmj, korobov, stratum};
 pub use transcendental::{log, log2, negative_log};
 pub use wide::Wide;

@@ -9,7 +9,7 @@ use crate::interface::{Column, INTEGRANDS_OF_GROUP};
 const SMALL: u64 = 1 << 14;
 
 /// The general kernels, by group of integrands.
-const GROUPS: [&str; 2] = ["estimate", "estimate_environment"];
+const GROUPS: [&str; 3] = ["estimate", "estimate_environment", "estimate_scene"];
 
 /// That of an integrand.
 fn group(integrand: u32) -> &'static str {

@@ -16,6 +16,8 @@ mod irradiance;
 mod light;
 mod low;
 mod problem;
+mod quadrature;
+mod scenes;
 
 pub use examples::examples;
 pub use light::{AXES, LightMap};
@@ -154,6 +156,7 @@ pub fn integrands() -> impl Iterator<Item = &'static Integrand> {
         .iter()
         .chain(genz::INTEGRANDS)
         .chain(irradiance::INTEGRANDS)
+        .chain(scenes::INTEGRANDS)
 }
 
 /// The two words of x > 0 as a real: a significand of 32 bits, rounded, and an exponent.

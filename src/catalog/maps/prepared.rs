@@ -7,6 +7,7 @@ use crate::interface::{MAP_PARAMETERS, map};
 use crate::reference::arc::Arc;
 use crate::reference::disk_light::{DiskLight, disk_light_prepare};
 use crate::reference::filter::{FilterGaussian, filter_gaussian_prepare};
+use crate::reference::ggx_lobe::Ggx;
 use crate::reference::real::Real;
 use crate::reference::real_frame::RealFrame;
 use crate::reference::real_vector::Real3;
@@ -83,6 +84,17 @@ words!(DiskLight {
     frame,
     radius,
     height
+});
+words!(Ggx {
+    alpha_x,
+    alpha_y,
+    wo,
+    view,
+    stretch,
+    view_below,
+    cap_above,
+    cap_below,
+    excess
 });
 words!(FilterGaussian {
     radius,

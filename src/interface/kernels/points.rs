@@ -10,7 +10,7 @@ use super::constants::{
 /// columns, tiles of two that a map follows, in both profiles, and estimates: the general
 /// one, tiles of one to four columns, and the general one of each group of integrands of
 /// rendering.
-pub(super) const POINT_KERNELS: usize = 13;
+pub(super) const POINT_KERNELS: usize = 14;
 
 macro_rules! point_kernels {
     ($family:expr, $suffix:literal) => {
@@ -102,6 +102,14 @@ macro_rules! point_kernels {
                 name: concat!("estimate_environment", $suffix),
                 defines: &[("COLUMN_TABLE", "1"), ("RENDER_ENVIRONMENT", "1")],
                 bindings: &[RESULTS, COLUMNS, COEFFICIENTS, TABLES],
+                constants: &[DIMENSIONS, INTEGRAND],
+                columns: Some(($family, 0)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_scene", $suffix),
+                defines: &[("COLUMN_TABLE", "1"), ("RENDER_SCENE", "1")],
+                bindings: &[RESULTS, COLUMNS, COEFFICIENTS],
                 constants: &[DIMENSIONS, INTEGRAND],
                 columns: Some(($family, 0)),
                 ..estimates()

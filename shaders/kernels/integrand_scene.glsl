@@ -1,0 +1,75 @@
+// Integrands of rendering without tables: the coordinates of a point, then the term. The
+// host's words are a head of four, which are two reals, and what it prepared of the parameters.
+#ifndef KERNEL_INTEGRAND_SCENE_GLSL
+#define KERNEL_INTEGRAND_SCENE_GLSL
+
+#include "integrand_point.glsl"
+#include "corput/ggx_furnace.glsl"
+#include "corput/lambert.glsl"
+#define prepared coefficients
+#include "prepared_spherical.glsl"
+
+const uint SKY_UNIFORM = 128u;
+const uint SKY_COSINE = 129u;
+const uint POLYGON_UNIFORM = 132u;
+const uint POLYGON_COSINE = 133u;
+const uint POLYGON_LIGHT = 134u;
+const uint POLYGON_MIS = 135u;
+const uint FURNACE_UNIFORM = 136u;
+const uint FURNACE_COSINE = 137u;
+const uint FURNACE_VISIBLE = 138u;
+
+CorputGgx prepared_ggx(uint i) {
+    return CorputGgx(prepared_real(i), prepared_real(i + 1u), prepared_real3(i + 2u), prepared_real3(i + 5u),
+        prepared_real(i + 8u), prepared_real(i + 9u), prepared_real(i + 10u), prepared_real(i + 11u),
+        prepared_real(i + 12u));
+}
+
+CorputReal integrand_sky(uvec2 u) {
+    CorputReal gradient = prepared_real(2u);
+    if (INTEGRAND == SKY_UNIFORM) {
+        return corput_sky_uniform(gradient, u);
+    }
+    return corput_sky_cosine(gradient, u);
+}
+
+CorputReal integrand_polygon(uvec3 u) {
+    CorputSphericalTriangle t = prepared_triangle(2u);
+    if (INTEGRAND == POLYGON_UNIFORM) {
+        return corput_lambert_uniform(t, u.xy);
+    }
+    if (INTEGRAND == POLYGON_COSINE) {
+        return corput_lambert_cosine(t, u.xy);
+    }
+    if (INTEGRAND == POLYGON_LIGHT) {
+        return corput_lambert_light(t, u.xy);
+    }
+    return corput_lambert_mis(t, u);
+}
+
+CorputReal integrand_furnace(uvec2 u) {
+    CorputGgx g = prepared_ggx(2u);
+    if (INTEGRAND == FURNACE_UNIFORM) {
+        return corput_furnace_uniform(g, u);
+    }
+    if (INTEGRAND == FURNACE_COSINE) {
+        return corput_furnace_cosine(g, u);
+    }
+    return corput_furnace_visible(g, u);
+}
+
+CorputTerm integrand_term(Integrand state, int scale) {
+    CorputReal real = corput_real_zero();
+    if (INTEGRAND < POLYGON_UNIFORM) {
+        real = integrand_sky(state.point.xy);
+    }
+    if (INTEGRAND >= POLYGON_UNIFORM && INTEGRAND < FURNACE_UNIFORM) {
+        real = integrand_polygon(state.point.xyz);
+    }
+    if (INTEGRAND >= FURNACE_UNIFORM) {
+        real = integrand_furnace(state.point.xy);
+    }
+    return corput_term(real, scale);
+}
+
+#endif
