@@ -1,6 +1,6 @@
 // Loops that measure the speed of a function: an invocation evaluates it REPEATS times and
-// stores a word or four of all results, so that memory is hardly touched. BARE is the same
-// loop without the function.
+// stores four words for all results, so that memory is hardly touched. BARE is the same loop
+// without the function.
 #ifndef KERNEL_REPEAT_GLSL
 #define KERNEL_REPEAT_GLSL
 

@@ -12,8 +12,8 @@
 //! arguments and 2^16 others, a mean is over those others.
 //!
 //! Speeds are those of a loop that evaluates the function 64 times an invocation, on
-//! arguments that it makes itself, and stores one word of all results: 0.25 bytes a result, so
-//! that memory does not hide what the function costs. The [bare](Comparison::bare) loop, in
+//! arguments that it makes itself, and stores 16 bytes for all: 0.25 bytes a result, so that
+//! memory does not hide what the function costs. The [bare](Comparison::bare) loop, in
 //! the same run, says what the loop takes of it.
 
 #[cfg(feature = "images")]

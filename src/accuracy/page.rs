@@ -12,10 +12,10 @@ const HEAD: &str = r##"<!DOCTYPE html>
 <meta name="color-scheme" content="light dark">
 <title>corput accuracy</title>
 <style>
-:root { --page: #ffffff; --ink: #222222; --quiet: #5c5c5c; --line: #d4d4d4; --bar: #f4f4f4;
+:root { --page: #ffffff; --ink: #222222; --quiet: #5c5c5c; --line: #d4d4d4; --bar: #f4f4f4; --join: #b8b8b8;
   --blue: #0072b2; --red: #d55e00; }
 @media (prefers-color-scheme: dark) {
-  :root { --page: #16181c; --ink: #e8e8e8; --quiet: #a8a8a8; --line: #3b3f46; --bar: #20242a;
+  :root { --page: #16181c; --ink: #e8e8e8; --quiet: #a8a8a8; --line: #3b3f46; --bar: #20242a; --join: #5a616b;
     --blue: #5cb8f0; --red: #ff9146; }
 }
 body { margin: 0 auto; max-width: 76rem; padding: 1rem; background: var(--page); color: var(--ink);
@@ -29,13 +29,15 @@ table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tab
 caption { text-align: left; padding: .5rem .6rem; color: var(--quiet); }
 th, td { padding: .25rem .6rem; text-align: right; white-space: nowrap; border-top: 1px solid var(--line); }
 thead th { background: var(--bar); vertical-align: bottom; }
+th[scope=colgroup] { text-align: center; border-left: 1px solid var(--line); }
 th[scope=row], thead th:first-child { text-align: left; position: sticky; left: 0; background: var(--page); }
 thead th:first-child { background: var(--bar); }
 .wrong { color: var(--red); font-weight: 700; }
 svg { display: block; min-width: 48rem; width: 100%; height: auto; }
 svg [fill="#ffffff"] { fill: var(--page); } svg [fill="#222222"] { fill: var(--ink); }
 svg [fill="#666666"] { fill: var(--quiet); } svg [stroke="#222222"] { stroke: var(--ink); }
-svg [stroke="#d4d4d4"], svg [stroke="#b8b8b8"] { stroke: var(--line); }
+svg [stroke="#666666"] { stroke: var(--quiet); } svg [stroke="#d4d4d4"] { stroke: var(--line); }
+svg [stroke="#b8b8b8"] { stroke: var(--join); }
 svg [fill="#0072b2"] { fill: var(--blue); } svg [fill="#d55e00"] { fill: var(--red); }
 </style>
 </head>
@@ -48,7 +50,7 @@ results in double precision; where a true result is smaller than the floor, in U
 vector are its worst coordinate's; relative is the worst in ULP of the result itself, wherever a function \
 passes through zero. The exact profile gives the same bits on every device, and they were compared \
 with the CPU's before anything was timed; the native profile has the device's own functions. Speeds are millions \
-of results a second of a loop that stores one word for 64 results; ± is the median absolute deviation. The bare \
+of results a second of a loop that stores 16 bytes for 64 results; ± is the median absolute deviation. The bare \
 loop takes the share of the native time in the last column.</p>\n";
 
 /// The page, with the plot as SVG text.

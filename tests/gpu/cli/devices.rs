@@ -78,6 +78,7 @@ fn no_driver_is_said_with_how_to_get_one() {
         "generate halton --count 10 --out p.npy",
         "check",
         "bench",
+        "accuracy",
     ] {
         let run = bare(&desk, line);
         run.expect(3, &["no Vulkan device", "install", "--device cpu"]);
