@@ -31,6 +31,7 @@ const fn maps(
         bindings,
         constants: &[MAP, WITH_PDF, DIMENSIONS, TASK, COORDINATES],
         columns: None,
+        shapes: 0,
         profile,
     }
 }
@@ -50,6 +51,7 @@ const fn evaluate(
         bindings: &[RESULTS, ARGUMENTS],
         constants: &[FUNCTION, INDEXED],
         columns: None,
+        shapes: 0,
         profile,
     }
 }
@@ -72,6 +74,7 @@ const fn pairs(name: &'static str, source: &'static str, constants: &'static [Co
         ],
         constants,
         columns: None,
+        shapes: 0,
         profile: Profile::Integer,
     }
 }
@@ -101,6 +104,7 @@ const OTHERS: &[Kernel] = &[
         ],
         constants: &[],
         columns: None,
+        shapes: 0,
         profile: Profile::Integer,
     },
     pairs("pairs", "pairs.comp", &[KIND]),
@@ -139,6 +143,7 @@ const OTHERS: &[Kernel] = &[
         ],
         constants: &[],
         columns: None,
+        shapes: 0,
         profile: Profile::Integer,
     },
     Kernel {
@@ -163,6 +168,7 @@ const OTHERS: &[Kernel] = &[
         ],
         constants: &[],
         columns: None,
+        shapes: 0,
         profile: Profile::Probe,
     },
 ];
