@@ -1,7 +1,14 @@
-// One column of consecutive points: what kind it is, and where it stands. Kinds are
-// words of the column, so a driver keeps only the one that a constant names.
+// One column of consecutive points: what kind it is, and where it stands. Kinds that do
+// not occur are not compiled: KINDS, a constant, has a bit for each that does.
 #ifndef KERNEL_COLUMN_GLSL
 #define KERNEL_COLUMN_GLSL
+
+#define KIND_OCCURS(KIND) ((KINDS & (1u << KIND)) != 0u)
+
+// Whether a column is of a kind; where no other occurs, that needs no look.
+bool kind_is(uint kind, uint wanted) {
+    return (uint(kind == wanted) | uint(KINDS == 1u << wanted)) != 0u;
+}
 
 #if COLUMN_FAMILY == 0
 #include "column_radical.glsl"

@@ -18,23 +18,37 @@ struct Column {
 
 #ifdef COLUMN_TABLE
 Column column_load(uint at) {
-    return Column(columns[at], columns[at + 1u], columns[at + 2u]);
+    return Column(columns[at].x, columns[at].y, columns[at].z);
 }
+
+#define COLUMN_SHAPE(P)  \
+    P.kind = P##_KIND;   \
+    P.base = P##_BASE
+#else
+#define COLUMN(P) Column(P##_KIND, P##_BASE, P##_SEED)
 #endif
 
-#define COLUMN(P) Column(P##_KIND, P##_BASE, P##_SEED)
-
 uint column_value(uint n, Column c) {
-    if (c.kind == FAURE) {
-        return corput_radical_inverse_faure(n, c.base);
+    uint value = 0u;
+    if (KIND_OCCURS(FAURE)) {
+        value = corput_radical_inverse_faure(n, c.base);
     }
-    if (c.kind == PERMUTED) {
-        return corput_radical_inverse_permuted(n, c.base, c.seed);
+    if (KIND_OCCURS(PERMUTED)) {
+        if (kind_is(c.kind, PERMUTED)) {
+            value = corput_radical_inverse_permuted(n, c.base, c.seed);
+        }
     }
-    if (c.kind == OWEN) {
-        return corput_radical_inverse_owen(n, c.base, c.seed);
+    if (KIND_OCCURS(OWEN)) {
+        if (kind_is(c.kind, OWEN)) {
+            value = corput_radical_inverse_owen(n, c.base, c.seed);
+        }
     }
-    return corput_radical_inverse_started(n, c.base, c.seed);
+    if (KIND_OCCURS(STARTED)) {
+        if (kind_is(c.kind, STARTED)) {
+            value = corput_radical_inverse_started(n, c.base, c.seed);
+        }
+    }
+    return value;
 }
 
 #include "cursor.glsl"

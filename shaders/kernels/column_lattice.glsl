@@ -21,21 +21,31 @@ struct Column {
 
 #ifdef COLUMN_TABLE
 Column column_load(uint at) {
-    return Column(columns[at], columns[at + 1u], columns[at + 2u], columns[at + 3u],
-        columns[at + 4u]);
+    uvec4 a = columns[at];
+    return Column(a.x, a.y, a.z, a.w, columns[at + 1u].x);
 }
+
+#define COLUMN_SHAPE(P) P.kind = P##_KIND
+#else
+#define COLUMN(P) Column(P##_KIND, P##_LOW, P##_HIGH, P##_COUNT, P##_SHIFT)
 #endif
 
-#define COLUMN(P) Column(P##_KIND, P##_LOW, P##_HIGH, P##_COUNT, P##_SHIFT)
-
 uint column_value(uint n, Column c) {
-    if (c.kind == LATTICE) {
-        return corput_rotate(corput_lattice(n, c.step_low), c.shift);
+    uint value = 0u;
+    if (KIND_OCCURS(KOROBOV) || KIND_OCCURS(KOROBOV_ROTATED)) {
+        value = corput_korobov(n, c.step_low, c.count);
     }
-    if (c.kind == ADDITIVE) {
-        return corput_rotate(corput_additive(n, uvec2(c.step_low, c.step_high)), c.shift);
+    if (KIND_OCCURS(LATTICE)) {
+        if (kind_is(c.kind, LATTICE)) {
+            value = corput_lattice(n, c.step_low);
+        }
     }
-    return corput_rotate(corput_korobov(n, c.step_low, c.count), c.shift);
+    if (KIND_OCCURS(ADDITIVE)) {
+        if (kind_is(c.kind, ADDITIVE)) {
+            value = corput_additive(n, uvec2(c.step_low, c.step_high));
+        }
+    }
+    return corput_rotate(value, c.shift);
 }
 
 #include "cursor.glsl"

@@ -3,11 +3,6 @@
 #ifndef KERNEL_COLUMN_NET_GLSL
 #define KERNEL_COLUMN_NET_GLSL
 
-#ifdef COLUMN_TABLE
-// "Dimension" is where the column's direction numbers begin.
-#define CORPUT_SOBOL_DIRECTION(dimension, bit) columns[(dimension) + (bit)]
-#include "corput/sobol.glsl"
-#endif
 #include "corput/owen.glsl"
 #include "corput/pmj02.glsl"
 #include "corput/unit.glsl"
@@ -17,7 +12,6 @@ const uint SOBOL_OWEN = 5u;
 const uint SOBOL_OWEN_HASH = 6u;
 const uint PMJ02 = 7u;
 
-#ifndef COLUMN_TABLE
 // No array: of constants it would be one that some translators do not know.
 struct Directions {
     uint d0, d1, d2, d3, d4, d5, d6, d7;
@@ -25,7 +19,6 @@ struct Directions {
     uint d16, d17, d18, d19, d20, d21, d22, d23;
     uint d24, d25, d26, d27, d28, d29, d30, d31;
 };
-#endif
 
 struct Column {
     uint kind;
@@ -34,22 +27,26 @@ struct Column {
     uint seed_low;
     uint seed_high;
     uint hash;
-#ifdef COLUMN_TABLE
-    uint directions;
-#else
     Directions directions;
-#endif
 };
 
 // The coordinate from that of the net.
 uint column_scrambled(uint x, Column c) {
-    if (c.kind == SOBOL_OWEN) {
-        return corput_owen(x, c.dimension, uvec2(c.seed_low, c.seed_high));
+    uint value = 0u;
+    if (KIND_OCCURS(SOBOL)) {
+        value = corput_digital_shift(x, c.shift);
     }
-    if (c.kind == SOBOL_OWEN_HASH) {
-        return corput_owen_hash(x, c.hash);
+    if (KIND_OCCURS(SOBOL_OWEN)) {
+        if (kind_is(c.kind, SOBOL_OWEN)) {
+            value = corput_owen(x, c.dimension, uvec2(c.seed_low, c.seed_high));
+        }
     }
-    return corput_digital_shift(x, c.shift);
+    if (KIND_OCCURS(SOBOL_OWEN_HASH)) {
+        if (kind_is(c.kind, SOBOL_OWEN_HASH)) {
+            value = corput_owen_hash(x, c.hash);
+        }
+    }
+    return value;
 }
 
 uint column_pmj02(uint n, Column c) {
@@ -59,18 +56,24 @@ uint column_pmj02(uint n, Column c) {
 
 #ifdef COLUMN_TABLE
 Column column_load(uint at) {
-    return Column(columns[at], columns[at + 1u], columns[at + 2u],
-        columns[at + 3u], columns[at + 4u], columns[at + 5u], at + 6u);
+    uvec4 a = columns[at];
+    uvec4 b = columns[at + 1u];
+    uvec4 c = columns[at + 2u];
+    uvec4 d = columns[at + 3u];
+    uvec4 e = columns[at + 4u];
+    uvec4 f = columns[at + 5u];
+    uvec4 g = columns[at + 6u];
+    uvec4 h = columns[at + 7u];
+    uvec4 i = columns[at + 8u];
+    uvec4 j = columns[at + 9u];
+    return Column(a.x, a.y, a.z, a.w, b.x, b.y,
+        Directions(b.z, b.w, c.x, c.y, c.z, c.w, d.x, d.y, d.z, d.w, e.x, e.y, e.z, e.w, f.x, f.y,
+            f.z, f.w, g.x, g.y, g.z, g.w, h.x, h.y, h.z, h.w, i.x, i.y, i.z, i.w, j.x, j.y));
 }
 
-uint column_value(uint n, Column c) {
-    if (c.kind == PMJ02) {
-        return column_pmj02(n, c);
-    }
-    return column_scrambled(corput_sobol(n, c.directions), c);
-}
-
-#include "cursor.glsl"
+#define COLUMN_SHAPE(P)  \
+    P.kind = P##_KIND;   \
+    P.dimension = P##_DIMENSION
 #else
 #define COLUMN(P)                                                                     \
     Column(P##_KIND, P##_SHIFT, P##_DIMENSION, P##_SEED_LOW, P##_SEED_HIGH, P##_HASH, \
@@ -78,6 +81,7 @@ uint column_value(uint n, Column c) {
             P##_D8, P##_D9, P##_D10, P##_D11, P##_D12, P##_D13, P##_D14, P##_D15,     \
             P##_D16, P##_D17, P##_D18, P##_D19, P##_D20, P##_D21, P##_D22, P##_D23,   \
             P##_D24, P##_D25, P##_D26, P##_D27, P##_D28, P##_D29, P##_D30, P##_D31))
+#endif
 
 // What a bit of n contributes.
 #define NET_BIT(n, bit, direction) ((0u - (((n) >> (bit)) & 1u)) & (direction))
@@ -104,24 +108,24 @@ uint cursor_high(uint block, Column c) {
 }
 
 Cursor cursor_start(uint index, Column c) {
-    if (c.kind == PMJ02) {
-        return Cursor(index, 0u, 0u);
-    }
     uint block = index >> 8;
     return Cursor(index, cursor_high(block, c), cursor_high(block + 1u, c));
 }
 
 uint cursor_value(Cursor cursor, Column c) {
-    if (c.kind == PMJ02) {
-        return column_pmj02(cursor.index, c);
-    }
     Directions d = c.directions;
     uint n = cursor.index;
     uint x = cursor.high
         ^ NET_BIT(n, 0, d.d0) ^ NET_BIT(n, 1, d.d1) ^ NET_BIT(n, 2, d.d2)
         ^ NET_BIT(n, 3, d.d3) ^ NET_BIT(n, 4, d.d4) ^ NET_BIT(n, 5, d.d5)
         ^ NET_BIT(n, 6, d.d6) ^ NET_BIT(n, 7, d.d7);
-    return column_scrambled(x, c);
+    uint value = column_scrambled(x, c);
+    if (KIND_OCCURS(PMJ02)) {
+        if (kind_is(c.kind, PMJ02)) {
+            value = column_pmj02(cursor.index, c);
+        }
+    }
+    return value;
 }
 
 Cursor cursor_next(Cursor cursor, Column c) {
@@ -129,7 +133,6 @@ Cursor cursor_next(Cursor cursor, Column c) {
     uint high = (index & 255u) == 0u ? cursor.next_high : cursor.high;
     return Cursor(index, high, cursor.next_high);
 }
-#endif
 
 float column_unit(uint fraction, Column c) {
     return corput_unit_floor(fraction);

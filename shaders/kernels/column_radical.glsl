@@ -19,20 +19,25 @@ struct Column {
 
 #ifdef COLUMN_TABLE
 Column column_load(uint at) {
-    return Column(columns[at],
-        CorputOdometerBase(
-            CorputBase(columns[at + 1u], columns[at + 2u], columns[at + 3u], columns[at + 4u],
-                columns[at + 5u], columns[at + 6u], columns[at + 7u]),
-            columns[at + 8u], columns[at + 9u], columns[at + 10u]));
+    uvec4 a = columns[at];
+    uvec4 b = columns[at + 1u];
+    uvec4 c = columns[at + 2u];
+    return Column(a.x,
+        CorputOdometerBase(CorputBase(a.y, a.z, a.w, b.x, b.y, b.z, b.w), c.x, c.y, c.z));
 }
-#endif
 
+#define COLUMN_SHAPE(P)                                                                  \
+    P.kind = P##_KIND;                                                                   \
+    P.base.radical = CorputBase(P##_BASE, P##_DIGITS, P##_GROUP_POWER, P##_BASE_MAGIC,   \
+        P##_BASE_SHIFT, P##_POWER_MAGIC, P##_POWER_SHIFT)
+#else
 #define COLUMN(P)                                                                            \
     Column(P##_KIND,                                                                         \
         CorputOdometerBase(                                                                  \
             CorputBase(P##_BASE, P##_DIGITS, P##_GROUP_POWER, P##_BASE_MAGIC, P##_BASE_SHIFT, \
                 P##_POWER_MAGIC, P##_POWER_SHIFT),                                           \
             P##_POWER, P##_QUOTIENT, P##_FRACTION))
+#endif
 
 struct Cursor {
     uint index;
@@ -42,34 +47,54 @@ struct Cursor {
 
 Cursor cursor_start(uint index, Column c) {
     Cursor cursor = Cursor(index, CorputOdometer(0u, 0u, 0u, 0u, 0u), CorputGridPoint(0u, 0u));
-    if (c.kind == ODOMETER) {
-        cursor.odometer = corput_odometer_start(index, c.base);
-    } else if (c.kind == GRID) {
-        cursor.grid = corput_hammersley_start(index, c.base.power);
+    if (KIND_OCCURS(ODOMETER)) {
+        if (kind_is(c.kind, ODOMETER)) {
+            cursor.odometer = corput_odometer_start(index, c.base);
+        }
+    }
+    if (KIND_OCCURS(GRID)) {
+        if (kind_is(c.kind, GRID)) {
+            cursor.grid = corput_hammersley_start(index, c.base.power);
+        }
     }
     return cursor;
 }
 
 uint cursor_value(Cursor cursor, Column c) {
-    if (c.kind == ODOMETER) {
-        return corput_odometer_value(cursor.odometer, c.base);
+    uint value = 0u;
+    if (KIND_OCCURS(REVERSED)) {
+        value = corput_van_der_corput(cursor.index);
     }
-    if (c.kind == GRID) {
-        return corput_hammersley_value(cursor.grid);
+    if (KIND_OCCURS(ODOMETER)) {
+        if (kind_is(c.kind, ODOMETER)) {
+            value = corput_odometer_value(cursor.odometer, c.base);
+        }
     }
-    if (c.kind == RADICAL) {
-        return corput_radical_inverse_table(cursor.index, c.base.radical);
+    if (KIND_OCCURS(GRID)) {
+        if (kind_is(c.kind, GRID)) {
+            value = corput_hammersley_value(cursor.grid);
+        }
     }
-    return corput_van_der_corput(cursor.index);
+    if (KIND_OCCURS(RADICAL)) {
+        if (kind_is(c.kind, RADICAL)) {
+            value = corput_radical_inverse_table(cursor.index, c.base.radical);
+        }
+    }
+    return value;
 }
 
 Cursor cursor_next(Cursor cursor, Column c) {
     cursor.index += 1u;
-    if (c.kind == ODOMETER) {
-        cursor.odometer = corput_odometer_next(cursor.odometer, c.base);
-    } else if (c.kind == GRID) {
-        cursor.grid = corput_hammersley_next(cursor.grid,
-            CorputGridPoint(c.base.quotient, c.base.fraction), c.base.power);
+    if (KIND_OCCURS(ODOMETER)) {
+        if (kind_is(c.kind, ODOMETER)) {
+            cursor.odometer = corput_odometer_next(cursor.odometer, c.base);
+        }
+    }
+    if (KIND_OCCURS(GRID)) {
+        if (kind_is(c.kind, GRID)) {
+            cursor.grid = corput_hammersley_next(cursor.grid,
+                CorputGridPoint(c.base.quotient, c.base.fraction), c.base.power);
+        }
     }
     return cursor;
 }

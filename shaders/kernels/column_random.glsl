@@ -20,25 +20,38 @@ struct Column {
 
 #ifdef COLUMN_TABLE
 Column column_load(uint at) {
-    return Column(columns[at], columns[at + 1u], columns[at + 2u],
-        columns[at + 3u], columns[at + 4u]);
+    uvec4 a = columns[at];
+    return Column(a.x, a.y, a.z, a.w, columns[at + 1u].x);
 }
-#endif
 
+#define COLUMN_SHAPE(P)  \
+    P.kind = P##_KIND;   \
+    P.dimension = P##_DIMENSION
+#else
 #define COLUMN(P)                                                                \
     Column(P##_KIND, P##_DIMENSION, P##_DIMENSIONS, P##_SEED_LOW, P##_SEED_HIGH)
+#endif
 
 uint column_value(uint n, Column c) {
-    if (c.kind == PHILOX) {
-        return corput_random(n, c.dimension, uvec2(c.seed_low, c.seed_high));
+    uvec2 seed = uvec2(c.seed_low, c.seed_high);
+    uint value = 0u;
+    if (KIND_OCCURS(PHILOX)) {
+        value = corput_random(n, c.dimension, seed);
     }
-    if (c.kind == PCG4D) {
-        return corput_random_fast(n, c.dimension, uvec2(c.seed_low, c.seed_high));
+    if (KIND_OCCURS(PCG4D)) {
+        if (kind_is(c.kind, PCG4D)) {
+            value = corput_random_fast(n, c.dimension, seed);
+        }
     }
-    // Row after row from one stream, that of PCG's demonstration program.
-    uvec2 place = corput_add64(corput_mul64(n, c.dimensions), uvec2(c.dimension, 0u));
-    CorputPcg32 start = corput_pcg32_seed(uvec2(c.seed_low, c.seed_high), uvec2(54u, 0u));
-    return corput_pcg32_value(corput_pcg32_advance(start, place));
+    if (KIND_OCCURS(PCG32)) {
+        if (kind_is(c.kind, PCG32)) {
+            // Row after row from one stream, that of PCG's demonstration program.
+            uvec2 place = corput_add64(corput_mul64(n, c.dimensions), uvec2(c.dimension, 0u));
+            CorputPcg32 start = corput_pcg32_seed(seed, uvec2(54u, 0u));
+            value = corput_pcg32_value(corput_pcg32_advance(start, place));
+        }
+    }
+    return value;
 }
 
 #include "cursor.glsl"

@@ -24,26 +24,38 @@ struct Column {
 
 #ifdef COLUMN_TABLE
 Column column_load(uint at) {
-    return Column(columns[at], columns[at + 1u], columns[at + 2u], columns[at + 3u],
-        columns[at + 4u], columns[at + 5u], columns[at + 6u],
-        columns[at + 7u], columns[at + 8u]);
+    uvec4 a = columns[at];
+    uvec4 b = columns[at + 1u];
+    return Column(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, columns[at + 2u].x);
 }
-#endif
 
+#define COLUMN_SHAPE(P)  \
+    P.kind = P##_KIND;   \
+    P.dimension = P##_DIMENSION
+#else
 #define COLUMN(P)                                                            \
     Column(P##_KIND, P##_DIMENSION, P##_SEED_LOW, P##_SEED_HIGH, P##_STRIDE, \
         P##_STRATA, P##_PERMUTATION, P##_GRID_X, P##_GRID_Y)
+#endif
 
 uint column_value(uint n, Column c) {
     uint jitter = corput_random_of(n, c.dimension, c.kind, uvec2(c.seed_low, c.seed_high));
-    if (c.kind == STRATIFIED) {
-        return corput_stratified(n, c.stride, c.strata, jitter);
+    uint value = 0u;
+    if (KIND_OCCURS(STRATIFIED)) {
+        value = corput_stratified(n, c.stride, c.strata, jitter);
     }
-    if (c.kind == LATIN_HYPERCUBE) {
-        return corput_latin_hypercube(n, c.strata, c.permutation, jitter);
+    if (KIND_OCCURS(LATIN_HYPERCUBE)) {
+        if (kind_is(c.kind, LATIN_HYPERCUBE)) {
+            value = corput_latin_hypercube(n, c.strata, c.permutation, jitter);
+        }
     }
-    uvec2 p = corput_cmj(n, uvec2(c.grid_x, c.grid_y), c.permutation, uvec2(jitter));
-    return c.dimension == 0u ? p.x : p.y;
+    if (KIND_OCCURS(MULTI_JITTERED)) {
+        if (kind_is(c.kind, MULTI_JITTERED)) {
+            uvec2 p = corput_cmj(n, uvec2(c.grid_x, c.grid_y), c.permutation, uvec2(jitter));
+            value = c.dimension == 0u ? p.x : p.y;
+        }
+    }
+    return value;
 }
 
 #include "cursor.glsl"

@@ -11,48 +11,74 @@
 #else
 #include "integrand.glsl"
 #endif
-#ifdef COLUMN_TABLE
-#include "column.glsl"
-#else
+#ifdef TILE_COLUMNS
 #include "tile.glsl"
+#else
+#include "column.glsl"
 #endif
 
-#ifdef COLUMN_TABLE
+#ifndef TILE_COLUMNS
+// TILE points side by side, dimension after dimension, so that they share what is loaded
+// for a dimension and what its cursor starts with.
+CorputSum tile_sum(CorputSum sum, uint index, uint count, uvec4 head) {
+    Integrand states[TILE];
+    [[unroll]] for (uint k = 0u; k < TILE; k++) {
+        states[k] = integrand_start(head);
+    }
+    [[dont_unroll]] for (uint j = 0u; j < DIMENSIONS; j++) {
+        Column c = column_load(j * COLUMN_ROWS);
+        uvec4 words = coefficients[1u + j];
+        Cursor cursor = cursor_start(index, c);
+        [[unroll]] for (uint k = 0u; k < TILE; k++) {
+            states[k] = integrand_step(states[k], j, cursor_value(cursor, c), head, words);
+            cursor = cursor_next(cursor, c);
+        }
+    }
+    [[unroll]] for (uint k = 0u; k < TILE; k++) {
+        if (k < count) {
+            sum = corput_sum_add(sum, integrand_term(states[k], head, int(push.scale)));
+        }
+    }
+    return sum;
+}
+
 CorputSum run_sum(uint index, uint count) {
     CorputSum sum = corput_sum_zero();
-    [[dont_unroll]] for (uint k = 0u; k < count; k++) {
-        Integrand state = integrand_start();
-        [[dont_unroll]] for (uint j = 0u; j < DIMENSIONS; j++) {
-            Column c = column_load(j * COLUMN_WORDS);
-            state = integrand_step(state, j, cursor_value(cursor_start(index + k, c), c));
-        }
-        sum = corput_sum_add(sum, integrand_term(state, int(push.scale)));
+    uvec4 head = coefficients[0];
+    [[dont_unroll]] for (uint done = 0u; done < count; done += TILE) {
+        sum = tile_sum(sum, index + done, count - done, head);
     }
     return sum;
 }
 #else
-CorputTerm tile_term(Tile tile) {
+CorputTerm tile_term(Tile tile, uvec4 words[1 + TILE_COLUMNS]) {
     uvec4 point = tile_fractions(tile);
-    Integrand state = integrand_step(integrand_start(), 0u, point.x);
+    uvec4 head = words[0];
+    Integrand state = integrand_step(integrand_start(head), 0u, point.x, head, words[1]);
 #if TILE_COLUMNS > 1
-    state = integrand_step(state, 1u, point.y);
+    state = integrand_step(state, 1u, point.y, head, words[2]);
 #endif
 #if TILE_COLUMNS > 2
-    state = integrand_step(state, 2u, point.z);
+    state = integrand_step(state, 2u, point.z, head, words[3]);
 #endif
 #if TILE_COLUMNS > 3
-    state = integrand_step(state, 3u, point.w);
+    state = integrand_step(state, 3u, point.w, head, words[4]);
 #endif
-    return integrand_term(state, int(push.scale));
+    return integrand_term(state, head, int(push.scale));
 }
 
 CorputSum run_sum(uint index, uint count) {
     CorputSum sum = corput_sum_zero();
+    uvec4 words[1 + TILE_COLUMNS];
+    [[unroll]] for (uint j = 0u; j <= TILE_COLUMNS; j++) {
+        words[j] = coefficients[j];
+    }
+    tile_load();
     [[dont_unroll]] for (uint done = 0u; done < count; done += TILE) {
         Tile tile = tile_start(index + done);
         uint end = min(TILE, count - done);
         [[dont_unroll]] for (uint k = 0u; k < end; k++) {
-            sum = corput_sum_add(sum, tile_term(tile));
+            sum = corput_sum_add(sum, tile_term(tile, words));
             tile = tile_next(tile);
         }
     }

@@ -6,7 +6,7 @@
 
 uint word(uint at) {
     uint point = at / DIMENSIONS;
-    Column c = column_load((at - point * DIMENSIONS) * COLUMN_WORDS);
+    Column c = column_load((at - point * DIMENSIONS) * COLUMN_ROWS);
     return column_output(cursor_value(cursor_start(push.first + point, c), c), c, OUTPUT);
 }
 

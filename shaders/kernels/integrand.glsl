@@ -1,5 +1,6 @@
 // The integrands: a point's coordinates one after the other, then the term. INTEGRAND says
-// which; the host's words for it are a head of four, and four for each dimension.
+// which; the host's words for it are a head of four, and four for each dimension. Whoever
+// calls loads them, as seldom as may be: some drivers load for each lane by itself.
 #ifndef KERNEL_INTEGRAND_GLSL
 #define KERNEL_INTEGRAND_GLSL
 
@@ -29,14 +30,14 @@ struct Integrand {
 };
 
 // A positive real of two words.
-CorputReal integrand_real(uint at) {
-    return corput_real_or_zero(coefficients[at], int(coefficients[at + 1u]), false);
+CorputReal integrand_real(uvec2 words) {
+    return corput_real_or_zero(words.x, int(words.y), false);
 }
 
-Integrand integrand_start() {
+Integrand integrand_start(uvec4 head) {
     Integrand state = Integrand(corput_real_zero(), 0u, uvec3(0u));
     if (INTEGRAND == OSCILLATORY) {
-        state.word = coefficients[0];
+        state.word = head.x;
     }
     if (INTEGRAND == PRODUCT_PEAK || INTEGRAND == SOBOL_G) {
         state.real = corput_real_uint(1u, 0);
@@ -44,8 +45,8 @@ Integrand integrand_start() {
     return state;
 }
 
-Integrand integrand_step(Integrand state, uint dimension, uint u) {
-    uint at = 4u + 4u * dimension;
+// With one coordinate more; c are the words of its dimension.
+Integrand integrand_step(Integrand state, uint dimension, uint u, uvec4 head, uvec4 c) {
     Integrand next = state;
     if (INTEGRAND == X_SQUARED || INTEGRAND == OFFSET || INTEGRAND == INVERSE_ROOT
         || INTEGRAND == DISK_STEP || INTEGRAND == ISHIGAMI) {
@@ -60,28 +61,28 @@ Integrand integrand_step(Integrand state, uint dimension, uint u) {
         }
     }
     if (INTEGRAND == CHECKERBOARD) {
-        next.word = state.word ^ corput_checkerboard_cell(u, coefficients[0]);
+        next.word = state.word ^ corput_checkerboard_cell(u, head.x);
     }
     if (INTEGRAND == OSCILLATORY) {
-        next.word = corput_genz_phase(state.word, u, uvec2(coefficients[at], coefficients[at + 1u]));
+        next.word = corput_genz_phase(state.word, u, c.xy);
     }
     if (INTEGRAND == PRODUCT_PEAK) {
-        next.real = corput_genz_peak(state.real, u, coefficients[at + 2u], integrand_real(at));
+        next.real = corput_genz_peak(state.real, u, c.z, integrand_real(c.xy));
     }
     if (INTEGRAND == CORNER_PEAK || INTEGRAND == DISCONTINUOUS) {
-        next.real = corput_genz_linear(state.real, u, integrand_real(at));
+        next.real = corput_genz_linear(state.real, u, integrand_real(c.xy));
     }
     if (INTEGRAND == DISCONTINUOUS) {
-        next.word = state.word | uint(u > coefficients[at + 2u]);
+        next.word = state.word | uint(u > c.z);
     }
     if (INTEGRAND == GAUSSIAN) {
-        next.real = corput_genz_square(state.real, u, coefficients[at + 2u], integrand_real(at));
+        next.real = corput_genz_square(state.real, u, c.z, integrand_real(c.xy));
     }
     if (INTEGRAND == CONTINUOUS) {
-        next.real = corput_genz_kink(state.real, u, coefficients[at + 2u], integrand_real(at));
+        next.real = corput_genz_kink(state.real, u, c.z, integrand_real(c.xy));
     }
     if (INTEGRAND == SOBOL_G) {
-        next.real = corput_sobol_g(state.real, u, integrand_real(at), integrand_real(at + 2u));
+        next.real = corput_sobol_g(state.real, u, integrand_real(c.xy), integrand_real(c.zw));
     }
     if (INTEGRAND == SQUARE_OF_SUM) {
         next.real = corput_real_add(state.real, corput_real_uint(u, -32));
@@ -89,14 +90,14 @@ Integrand integrand_step(Integrand state, uint dimension, uint u) {
     return next;
 }
 
-CorputTerm integrand_term(Integrand state, int scale) {
+CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     CorputTerm term = CorputTerm(uvec2(0u), false);
     CorputReal real = state.real;
     if (INTEGRAND == X_SQUARED) {
         term = corput_x_squared(state.point.x);
     }
     if (INTEGRAND == OFFSET) {
-        term = corput_offset_fraction(state.point.x, coefficients[0]);
+        term = corput_offset_fraction(state.point.x, head.x);
     }
     if (INTEGRAND == DISK_STEP) {
         term = corput_indicator(corput_disk_step(state.point.xy));
@@ -108,7 +109,7 @@ CorputTerm integrand_term(Integrand state, int scale) {
         real = corput_inverse_root(state.point.x);
     }
     if (INTEGRAND == ISHIGAMI) {
-        real = corput_ishigami(state.point, integrand_real(0u), integrand_real(2u));
+        real = corput_ishigami(state.point, integrand_real(head.xy), integrand_real(head.zw));
     }
     if (INTEGRAND == OSCILLATORY) {
         real = corput_genz_oscillation(state.word);

@@ -12,9 +12,9 @@ const uint IRRADIANCE_COSINE = 65u;
 const uint IRRADIANCE_ENVIRONMENT = 66u;
 const uint IRRADIANCE_MIS = 67u;
 
-CorputTerm integrand_term(Integrand state, int scale) {
-    uvec2 size = uvec2(coefficients[0], coefficients[1]);
-    uint axis = coefficients[2];
+CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
+    uvec2 size = head.xy;
+    uint axis = head.z;
     CorputReal real = corput_real_zero();
     if (INTEGRAND == IRRADIANCE_UNIFORM) {
         real = corput_irradiance_uniform(size, axis, state.point.xy);

@@ -8,11 +8,11 @@ struct Integrand {
     uvec4 point;
 };
 
-Integrand integrand_start() {
+Integrand integrand_start(uvec4 head) {
     return Integrand(uvec4(0u));
 }
 
-Integrand integrand_step(Integrand state, uint dimension, uint u) {
+Integrand integrand_step(Integrand state, uint dimension, uint u, uvec4 head, uvec4 c) {
     uvec4 mask = uvec4(0u) - uvec4(equal(uvec4(0u, 1u, 2u, 3u), uvec4(dimension)));
     return Integrand(state.point | (mask & uvec4(u)));
 }

@@ -6,7 +6,7 @@
 #include "integrand_point.glsl"
 #include "corput/ggx_furnace.glsl"
 #include "corput/lambert.glsl"
-#define prepared coefficients
+#define PREPARED(i) coefficients[(i) >> 2u][(i) & 3u]
 #include "prepared_spherical.glsl"
 
 const uint SKY_UNIFORM = 128u;
@@ -58,7 +58,7 @@ CorputReal integrand_furnace(uvec2 u) {
     return corput_furnace_visible(g, u);
 }
 
-CorputTerm integrand_term(Integrand state, int scale) {
+CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     CorputReal real = corput_real_zero();
     if (INTEGRAND < POLYGON_UNIFORM) {
         real = integrand_sky(state.point.xy);

@@ -6,10 +6,15 @@
 
 #include "corput/real_frame.glsl"
 
+// Word i of them.
+#ifndef PREPARED
+#define PREPARED(i) prepared[i]
+#endif
+
 // Real i of them.
 CorputReal prepared_real(uint i) {
-    uint e = prepared[2u * i + 1u];
-    return CorputReal(prepared[2u * i], int(e) >> 1, (e & 1u) != 0u);
+    uint e = PREPARED(2u * i + 1u);
+    return CorputReal(PREPARED(2u * i), int(e) >> 1, (e & 1u) != 0u);
 }
 
 CorputReal3 prepared_real3(uint i) {

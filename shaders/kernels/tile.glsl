@@ -1,8 +1,36 @@
-// The columns of a tile, from specialization constants.
+// The columns of a tile: from specialization constants, or, but for their shape, from
+// the table.
 #ifndef KERNEL_TILE_GLSL
 #define KERNEL_TILE_GLSL
 
 #include "column.glsl"
+
+#ifdef COLUMN_TABLE
+// Under the names that stand for the constants of a column.
+Column COLUMN0;
+Column COLUMN1;
+Column COLUMN2;
+Column COLUMN3;
+#define COLUMN(P) P
+
+// Before the first tile.
+void tile_load() {
+    COLUMN0 = column_load(0u);
+    COLUMN_SHAPE(COLUMN0);
+#if TILE_COLUMNS > 1
+    COLUMN1 = column_load(COLUMN_ROWS);
+    COLUMN_SHAPE(COLUMN1);
+#endif
+#if TILE_COLUMNS > 2
+    COLUMN2 = column_load(2u * COLUMN_ROWS);
+    COLUMN_SHAPE(COLUMN2);
+#endif
+#if TILE_COLUMNS > 3
+    COLUMN3 = column_load(3u * COLUMN_ROWS);
+    COLUMN_SHAPE(COLUMN3);
+#endif
+}
+#endif
 
 // Cursors of up to four columns; those past TILE_COLUMNS are not used.
 struct Tile {

@@ -6,6 +6,7 @@ use crate::Result;
 use crate::catalog::{Problem, Request};
 use crate::estimate::Estimate;
 use crate::reference::sum::{sum_add, sum_zero};
+use std::panic::resume_unwind;
 
 /// Points of a sum in words; what several come to is added in wider integers.
 const RUN: u64 = 1 << 20;
@@ -21,30 +22,30 @@ pub fn estimate(problem: &Problem, request: &Request, start: u64, count: u64) ->
     let threads = std::thread::available_parallelism().map_or(1, usize::from) as u64;
     let share = count.div_ceil(threads).max(1);
     let first = request.first + start;
-    let run = |begin: u64, end: u64| {
-        let mut total = Estimate::new(problem.coefficients().scale);
+    let scale = problem.coefficients().scale;
+    let run = |begin: u64, end: u64| -> Result<Estimate> {
+        let mut total = Estimate::new(scale);
         let mut at = begin;
         while at < end {
             let next = (at + RUN).min(end);
-            let part = sums(problem, &columns, first + at, next - at);
-            total = total.merge(part).unwrap_or(total);
+            total = total.merged(sums(problem, &columns, first + at, next - at))?;
             at = next;
         }
-        total
+        Ok(total)
     };
-    let mut total = Estimate::new(problem.coefficients().scale);
     std::thread::scope(|scope| {
         let begins = (0..count).step_by(share as usize);
         let parts: Vec<_> = begins
             .map(|begin| scope.spawn(move || run(begin, (begin + share).min(count))))
             .collect();
+        let mut total = Estimate::new(scale);
         for part in parts {
-            // A thread that panicked would have been a bug in the reference.
-            let part = part.join().unwrap_or(total);
-            total = total.merge(part).unwrap_or(total);
+            // A panic of a thread is a bug, and one here too.
+            let part = part.join().unwrap_or_else(|panic| resume_unwind(panic));
+            total = total.merged(part?)?;
         }
-    });
-    Ok(total)
+        Ok(total)
+    })
 }
 
 fn sums(problem: &Problem, columns: &[Prepared], first: u64, count: u64) -> Estimate {

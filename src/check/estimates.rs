@@ -33,7 +33,7 @@ pub fn check(device: &Arc<Device>, integrand: &'static Integrand) -> Result<Row>
     compare_estimates(integrand, &mut |problem, request| {
         let columns = &request.columns;
         let (few, id) = (columns.len() <= 4, problem.id());
-        let tile = |cpu| plan_estimate(columns, u64::MAX, id, cpu);
+        let tile = |cpu| plan_estimate(columns, id, cpu);
         let mut plans = Vec::new();
         if every || !few {
             plans.push(general_estimate(columns, id));

@@ -150,7 +150,7 @@ impl Engine {
     fn summer(&self, problem: &Problem, request: &Request) -> Result<Summer> {
         match self {
             Self::Device(device) => {
-                let estimator = Estimator::replicates(device, problem, request)?;
+                let estimator = Estimator::new(device, problem, request)?;
                 Ok(Summer::Device(Box::new(estimator)))
             }
             Self::Cpu => Ok(Summer::Cpu),

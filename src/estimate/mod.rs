@@ -5,6 +5,8 @@ mod wide;
 
 pub use wide::U256;
 
+use crate::{Error, Result};
+
 /// Terms of an estimate at most: up to here no sum overflows.
 const MOST: u64 = 1 << 62;
 
@@ -55,6 +57,21 @@ impl Estimate {
             scale: self.scale,
             sum: self.sum.checked_add(other.sum)?,
             squares: self.squares.checked_add(other.squares)?,
+        })
+    }
+
+    /// As [`Self::merge`], where sums of many points, or of two problems, would be a mistake.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`] in place of `None`.
+    pub fn merged(self, other: Self) -> Result<Self> {
+        self.merge(other).ok_or_else(|| Error::Arguments {
+            asked: format!(
+                "a sum of {} terms in units of 2^-{} and {} of 2^-{}",
+                self.count, self.scale, other.count, other.scale
+            ),
+            limit: format!("one holds at most {MOST} terms of one unit, and no more than its bits"),
+            remedy: "sum fewer points".into(),
         })
     }
 

@@ -134,7 +134,7 @@ const LATTICE: &[Word] = &[
 ];
 
 impl Family {
-    /// The words of a column, in the order of the general kernel's table.
+    /// The words of a column, in the order of the general kernels' tables.
     #[must_use]
     pub const fn words(self) -> &'static [Word] {
         match self {
@@ -145,6 +145,33 @@ impl Family {
             Self::Digits => DIGITS,
             Self::Lattice => LATTICE,
         }
+    }
+
+    /// The words of a column's shape: what neither the seed nor the number of points change,
+    /// and what costs if it is not constant, such as divisors.
+    #[must_use]
+    pub const fn shape(self) -> &'static [&'static str] {
+        match self {
+            Self::Radical => &[
+                "KIND",
+                "BASE",
+                "DIGITS",
+                "GROUP_POWER",
+                "BASE_MAGIC",
+                "BASE_SHIFT",
+                "POWER_MAGIC",
+                "POWER_SHIFT",
+            ],
+            Self::Net | Self::Random | Self::Strata => &["KIND", "DIMENSION"],
+            Self::Digits => &["KIND", "BASE"],
+            Self::Lattice => &["KIND"],
+        }
+    }
+
+    /// Rows of four words that a column takes in the table.
+    #[must_use]
+    pub const fn rows(self) -> u32 {
+        self.words().len().div_ceil(4) as u32
     }
 
     /// Value of the macro `COLUMN_FAMILY`.

@@ -10,9 +10,12 @@ pub enum Element {
     Uint,
     /// `uvec4`, 16 bytes.
     Uvec4,
+    /// So many `uvec4` in a uniform block, at most 1024: what all invocations read alike.
+    /// llvmpipe loads from other buffers lane by lane, thirty times slower.
+    Rows(u32),
 }
 
-/// A storage buffer in set 0.
+/// A buffer in set 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Binding {
     /// Its number.
@@ -21,9 +24,20 @@ pub struct Binding {
     pub name: &'static str,
     /// The array's element.
     pub element: Element,
-    /// Whether the kernel only reads it, which also lets the validation layer see
-    /// hazards.
+    /// Whether the kernel only reads it, as it does a uniform block; that also lets the
+    /// validation layer see hazards.
     pub input: bool,
+}
+
+impl Binding {
+    /// Bytes of the block, for a uniform block.
+    #[must_use]
+    pub fn uniform(&self) -> Option<u64> {
+        match self.element {
+            Element::Uint | Element::Uvec4 => None,
+            Element::Rows(rows) => Some(16 * u64::from(rows)),
+        }
+    }
 }
 
 /// A specialization constant of type `uint`.
@@ -36,6 +50,10 @@ pub struct Constant {
     /// Its value where none is given.
     pub default: u32,
 }
+
+/// `constant_id` of `KINDS`, which every kernel of columns has: a bit for each kind of
+/// column that occurs. By default all may.
+pub const KINDS: u32 = 15;
 
 /// One compiled module.
 #[derive(Clone, Copy, Debug)]
@@ -50,12 +68,14 @@ pub struct Kernel {
     pub local_size: u32,
     /// Push-constant members.
     pub push: &'static [Member],
-    /// Storage buffers.
+    /// Buffers.
     pub bindings: &'static [Binding],
     /// Specialization constants, besides those of the columns.
     pub constants: &'static [Constant],
     /// What columns it makes, and how many of them it takes as constants.
     pub columns: Option<(Family, u32)>,
+    /// Of how many columns the shape is constant, and the other words are in the table.
+    pub shapes: u32,
     /// Which rules the linter holds it to.
     pub profile: Profile,
 }
@@ -87,10 +107,13 @@ impl Kernel {
         let own = self.constants.iter();
         let mut all: Vec<_> = own.map(|c| (c.id, c.name.to_owned(), c.default)).collect();
         if let Some((family, columns)) = self.columns {
-            for column in 0..columns {
+            all.push((KINDS, "KINDS".to_owned(), u32::MAX));
+            for column in 0..columns.max(self.shapes) {
                 let first = 16 + COLUMN_STRIDE * column;
                 for (id, (name, default)) in (first..).zip(family.words()) {
-                    all.push((id, format!("COLUMN{column}_{name}"), *default));
+                    if column < columns || family.shape().contains(name) {
+                        all.push((id, format!("COLUMN{column}_{name}"), *default));
+                    }
                 }
             }
         }
@@ -105,17 +128,19 @@ impl Kernel {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "layout(local_size_x = {}) in;", self.local_size);
         for b in self.bindings {
-            let element = match b.element {
-                Element::Uint => "uint",
-                Element::Uvec4 => "uvec4",
+            let (packing, class, array) = match b.element {
+                Element::Uint => ("std430", "buffer", format!("uint {}[]", b.name)),
+                Element::Uvec4 => ("std430", "buffer", format!("uvec4 {}[]", b.name)),
+                Element::Rows(rows) => ("std140", "uniform", format!("uvec4 {}[{rows}]", b.name)),
+            };
+            let access = match b.element {
+                Element::Uint | Element::Uvec4 if b.input => "readonly ",
+                _ => "",
             };
             let _ = writeln!(
                 text,
-                "layout(std430, set = 0, binding = {}) {}buffer Buffer{} {{ {element} {}[]; }};",
+                "layout({packing}, set = 0, binding = {0}) {access}{class} Buffer{0} {{ {array}; }};",
                 b.binding,
-                if b.input { "readonly " } else { "" },
-                b.binding,
-                b.name
             );
         }
         if !self.push.is_empty() {
@@ -133,7 +158,7 @@ impl Kernel {
         }
         if let Some((family, _)) = self.columns {
             let _ = writeln!(text, "#define COLUMN_FAMILY {}", family.number());
-            let _ = writeln!(text, "#define COLUMN_WORDS {}u", family.words().len());
+            let _ = writeln!(text, "#define COLUMN_ROWS {}u", family.rows());
         }
         // More groups than one axis holds are dispatched in two.
         let _ = writeln!(

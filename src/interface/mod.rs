@@ -13,7 +13,7 @@ mod push;
 
 pub use column::{Column, DigitScramble, Generator, NetScramble, purpose};
 pub use family::{COLUMN_STRIDE, FAMILIES, Family, Word, column_kind};
-pub use kernel::{Binding, Constant, Element, Kernel, Profile};
+pub use kernel::{Binding, Constant, Element, KINDS, Kernel, Profile};
 pub use kernels::KERNELS;
 pub use push::{
     EstimatePush, IrradiancePush, MapPush, MaskPush, Member, PairsPush, PushConstants, WorkPush,
@@ -21,6 +21,9 @@ pub use push::{
 
 /// Parameters of a map: bits of floats.
 pub const MAP_PARAMETERS: usize = 16;
+
+/// Dimensions of an integrand at most: those whose words a uniform block holds.
+pub const ESTIMATE_DIMENSIONS: u32 = 64;
 
 /// Words of a map's tables that one buffer holds: 128 MiB, which every device allows.
 pub const TABLE_WORDS: usize = 1 << 25;

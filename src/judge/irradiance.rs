@@ -1,7 +1,7 @@
 //! The irradiance of an environment map in `f64`, sample by sample.
 
-use crate::judge::environment::EnvironmentTables;
 use super::{cosine_hemisphere, uniform_hemisphere};
+use crate::judge::environment::EnvironmentTables;
 use std::f64::consts::{PI, TAU};
 
 /// A surface under a map.

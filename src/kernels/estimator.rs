@@ -4,8 +4,8 @@ use super::points::{BUFFER_BYTES, add, table};
 use super::{groups, pipeline, spirv};
 use crate::catalog::{Problem, Request};
 use crate::estimate::Estimate;
-use crate::interface::EstimatePush;
-use crate::variant::{Plan, general_estimate, longest_estimate, plan_estimate};
+use crate::interface::{Binding, EstimatePush, Kernel};
+use crate::variant::{Plan, general_estimate, longest_estimate, plan_estimate, replan_estimate};
 use crate::vulkan::{Access, Buffer, Device, DeviceKind, Pipeline, Timing};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -21,11 +21,18 @@ const GROWTH: f64 = 8.0;
 /// Invocations that keep a GPU busy.
 const BUSY: u64 = 1 << 16;
 
+/// Invocations that keep the cores of a CPU evenly busy, and a number of points that an
+/// invocation sums at about the price of fewer.
+const BUSY_CPU: u64 = 1 << 10;
+const CHEAP: u64 = 16;
+
 /// Bytes of an invocation's record.
 const RECORD: u64 = 48;
 
-/// Estimates an integral over the points of a request.
+/// Estimates an integral over the points of a request, and then over those of others that
+/// differ in seed, first point or number of points: [`Self::set_request`].
 pub struct Estimator {
+    problem: Problem,
     plan: Plan,
     pipeline: Pipeline,
     results: Buffer,
@@ -34,7 +41,6 @@ pub struct Estimator {
     tables: Option<Buffer>,
     first: u64,
     count: u64,
-    scale: i32,
     longest: u32,
     limit: u64,
     chunk: u64,
@@ -42,15 +48,15 @@ pub struct Estimator {
 }
 
 impl Estimator {
-    /// Compiles the pipeline. The request's map and output do not matter: the integrand
-    /// takes its fractions.
+    /// Compiles the pipeline, which takes a tenth of a second to one on llvmpipe. The
+    /// request's map and output do not matter: the integrand takes its fractions.
     ///
     /// # Errors
     /// [`Error::Arguments`] for a request of other dimensions than the integrand's, and those
     /// of the device.
     pub fn new(device: &Arc<Device>, problem: &Problem, request: &Request) -> Result<Self> {
         let (id, cpu) = (problem.id(), device.info().kind == DeviceKind::Cpu);
-        let plan = plan_estimate(&request.columns, request.count, id, cpu);
+        let plan = plan_estimate(&request.columns, id, cpu);
         let words = spirv(plan.kernel.name)?;
         Self::with_module(device, problem, request, plan, &words)
     }
@@ -79,58 +85,51 @@ impl Estimator {
         problem.check(request, 0, request.count)?;
         let values = plan.specializations.first().map_or(&[][..], Vec::as_slice);
         let pipeline = pipeline(device, plan.kernel, words, values)?;
-        let longest = longest_estimate(&request.columns, problem.id());
-        let most = BUFFER_BYTES / 4 / RECORD;
-        let bytes = RECORD * most.min(request.count);
         Ok(Self {
             pipeline,
-            results: Buffer::new(device, bytes, Access::Readback)?,
+            results: Buffer::new(device, RECORD, Access::Readback)?,
             columns: plan
                 .table
                 .as_deref()
-                .map(|words| table(device, words))
+                .map(|words| block(device, plan.kernel, 1, words))
                 .transpose()?,
-            coefficients: table(device, &problem.words())?,
+            coefficients: block(device, plan.kernel, 2, &problem.words())?,
             tables: match problem.tables() {
                 [] => None,
                 words => Some(table(device, words)?),
             },
             first: request.first,
             count: request.count,
-            scale: problem.coefficients().scale,
-            longest,
-            limit: most,
+            longest: longest_estimate(&request.columns, problem.id()),
+            limit: BUFFER_BYTES / 4 / RECORD,
             chunk: FIRST,
+            problem: problem.clone(),
             plan,
             device: Arc::clone(device),
         })
     }
 
-    /// SHIM
+    /// Takes another request of the same shape, without compiling anything: another seed,
+    /// first point or number of points, of the same sequence, dimensions, bases and scramble.
+    /// What is summed next is over its points. Costs a write of 10 KiB.
     ///
     /// # Errors
-    /// SHIM
-    pub fn replicates(device: &Arc<Device>, problem: &Problem, request: &Request) -> Result<Self> {
-        Self::general(device, problem, request)
-    }
-
-    /// SHIM
-    ///
-    /// # Errors
-    /// SHIM
+    /// [`Error::Arguments`] for a request of another shape, which leaves everything as it was,
+    /// and those of the device.
     pub fn set_request(&mut self, request: &Request) -> Result<()> {
-        let words: Vec<u32> = crate::variant::general_estimate(&request.columns, 0)
-            .table
-            .unwrap_or_default();
-        self.columns = Some(table(&self.device, &words)?);
-        self.first = request.first;
-        self.count = request.count;
-        let most = BUFFER_BYTES / 4 / RECORD;
-        self.results = Buffer::new(
-            &self.device,
-            RECORD * most.min(request.count),
-            Access::Readback,
-        )?;
+        self.problem.check(request, 0, request.count)?;
+        let plan = replan_estimate(&self.plan, &request.columns, self.problem.id());
+        let plan = plan.ok_or_else(|| Error::Arguments {
+            asked: format!("an estimate of {} by an estimator", request.sequence.name()),
+            limit: "it was compiled for points of another shape".into(),
+            remedy: "keep to its sequence, scramble, dimensions and bases, or make another".into(),
+        })?;
+        if let (Some(columns), Some(words)) = (&mut self.columns, &plan.table) {
+            columns.write(0, bytemuck::cast_slice(words))?;
+        }
+        self.plan = plan;
+        self.longest = longest_estimate(&request.columns, self.problem.id());
+        (self.first, self.count) = (request.first, request.count);
         Ok(())
     }
 
@@ -167,14 +166,16 @@ impl Estimator {
                 remedy: "ask for several shorter sums, and merge them".into(),
             });
         }
+        let scale = self.problem.coefficients().scale;
         let push = EstimatePush {
             // All fit: first + count <= 2^32, and a dispatch has fewer.
             first: (self.first + start) as u32,
             count: count as u32,
             run,
             invocations: invocations as u32,
-            scale: self.scale as u32,
+            scale: scale as u32,
         };
+        self.reserve(invocations)?;
         let mut buffers = vec![(0, &self.results), (2, &self.coefficients)];
         if let Some(columns) = &self.columns {
             buffers.push((1, columns));
@@ -186,7 +187,6 @@ impl Estimator {
         let timing = self
             .device
             .run(&self.pipeline, &buffers, &push.bytes(), groups)?;
-        let scale = self.scale;
         let records = self.results.read(0, RECORD * invocations, |bytes| {
             let words: Vec<[u32; 12]> = bytemuck::pod_collect_to_vec(bytes);
             let record = |[a, b, c, d, e, f, g, h, i, j, count, _]: [u32; 12]| {
@@ -208,7 +208,7 @@ impl Estimator {
         count: u64,
         watch: &mut dyn FnMut(u64) -> Result<()>,
     ) -> Result<(Estimate, Timing)> {
-        let mut total = Estimate::new(self.scale);
+        let mut total = Estimate::new(self.problem.coefficients().scale);
         let mut spent = Timing {
             device_ns: Some(0.0),
             host_ns: 0.0,
@@ -219,8 +219,7 @@ impl Estimator {
             let run = self.run_of(points);
             let (records, timing) = self.records(start + done, points, run)?;
             for record in records {
-                // 2^32 points are far from what an estimate can hold.
-                total = total.merge(record).unwrap_or(total);
+                total = total.merged(record)?;
             }
             done += points;
             self.adapt(points, &timing);
@@ -230,15 +229,29 @@ impl Estimator {
         Ok((total, spent))
     }
 
-    /// How long the runs of so many points are: long on a CPU, where each has its cost; on a
-    /// GPU so short that all of it has work.
+    /// Room for so many records.
+    fn reserve(&mut self, records: u64) -> Result<()> {
+        let bytes = RECORD * records;
+        if self.results.bytes() < bytes {
+            let most = RECORD * self.limit;
+            let bytes = bytes.next_power_of_two().min(most.max(bytes));
+            self.results = Buffer::new(&self.device, bytes, Access::Readback)?;
+        }
+        Ok(())
+    }
+
+    /// How long the runs of so many points are: on a CPU long, since each has its cost, once
+    /// all cores have work; on a GPU so short that all of it has work. Of the general kernel
+    /// whole tiles.
     fn run_of(&self, points: u64) -> u32 {
-        let fewest = points.div_ceil(self.limit).max(1);
-        let wanted = match self.device.info().kind {
-            DeviceKind::Cpu => u64::from(self.longest),
-            _ => points.div_ceil(BUSY),
+        let (busy, cheap) = match self.device.info().kind {
+            DeviceKind::Cpu => (BUSY_CPU, CHEAP),
+            _ => (BUSY, 1),
         };
-        wanted.max(fewest).min(self.longest.into()) as u32
+        let shared = u64::from(self.plan.tile.clamp(1, 8));
+        let wanted = points.div_ceil(busy).max(points.div_ceil(self.limit));
+        let longest = u64::from(self.longest) / shared * shared;
+        wanted.max(cheap).next_multiple_of(shared).min(longest) as u32
     }
 
     fn adapt(&mut self, points: u64, timing: &Timing) {
@@ -247,4 +260,13 @@ impl Estimator {
         let most = (self.limit * u64::from(self.longest)).min(u64::from(u32::MAX >> 1));
         self.chunk = (ideal as u64).clamp(1 << 10, most);
     }
+}
+
+/// A uniform block of a kernel, with these words first.
+fn block(device: &Arc<Device>, kernel: &Kernel, binding: u32, words: &[u32]) -> Result<Buffer> {
+    let found = kernel.bindings.iter().find(|b| b.binding == binding);
+    let bytes = found.and_then(Binding::uniform).unwrap_or(0);
+    let mut words = words.to_vec();
+    words.resize(words.len().max(bytes as usize / 4), 0);
+    table(device, &words)
 }

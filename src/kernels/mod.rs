@@ -80,7 +80,9 @@ pub fn pipeline(
     // What does not parse is the driver wrapper's to refuse.
     let pruned = prune(words, specialization).unwrap_or_else(|_| words.to_vec());
     let bindings: Vec<u32> = kernel.bindings.iter().map(|b| b.binding).collect();
-    Pipeline::new(
+    let uniforms = kernel.bindings.iter().filter(|b| b.uniform().is_some());
+    let uniforms: Vec<u32> = uniforms.map(|b| b.binding).collect();
+    Pipeline::with_uniforms(
         device,
         &PipelineDescription {
             name: kernel.name,
@@ -89,6 +91,7 @@ pub fn pipeline(
             push_constant_bytes: kernel.push_bytes(),
             specialization,
         },
+        &uniforms,
     )
 }
 

@@ -1,12 +1,12 @@
 //! Which kernel an estimate runs, and how long the runs of its invocations may be.
 
 use super::columns::longest_run;
-use super::plan::{Plan, family, kernel, table, tiled};
-use crate::interface::{Column, INTEGRANDS_OF_GROUP};
+use super::plan::{Plan, family, kernel, tabled};
+use crate::interface::{Column, INTEGRANDS_OF_GROUP, Kernel};
 
-/// Below this many points the general kernel starts sooner than one that is compiled anew
-/// for its columns.
-const SMALL: u64 = 1 << 14;
+/// Points that share what the general kernel loads for a dimension. More of them compile for
+/// longer, and gain little.
+const SHARED: u32 = 8;
 
 /// The general kernels, by group of integrands.
 const GROUPS: [&str; 3] = ["estimate", "estimate_environment", "estimate_scene"];
@@ -20,31 +20,49 @@ fn group(integrand: u32) -> &'static str {
 /// The kernel for sums of an integrand (its `INTEGRAND`) over points; `cpu` as in
 /// [`Work`](super::Work). All kernels give the same sums.
 #[must_use]
-pub fn plan_estimate(columns: &[Column], points: u64, integrand: u32, cpu: bool) -> Plan {
+pub fn plan_estimate(columns: &[Column], integrand: u32, cpu: bool) -> Plan {
     let tiles = [
         "estimate_tile_1",
         "estimate_tile_2",
         "estimate_tile_3",
         "estimate_tile_4",
     ];
-    let mut plan = match tiles.get(columns.len().wrapping_sub(1)) {
-        Some(name) if points >= SMALL && group(integrand) == GROUPS[0] => tiled(name, columns, cpu),
-        _ => return general_estimate(columns, integrand),
-    };
-    plan.set("DIMENSIONS", columns.len() as u32);
-    plan.set("INTEGRAND", integrand);
-    plan
+    let longest = columns.iter().map(longest_run).min();
+    let tile = if cpu { longest.unwrap_or(16) } else { 4 };
+    match tiles.get(columns.len().wrapping_sub(1)) {
+        Some(name) if group(integrand) == GROUPS[0] => {
+            estimating(kernel(name, family(columns)), columns, integrand, tile)
+        }
+        _ => general_estimate(columns, integrand),
+    }
 }
 
-/// The general kernel: the yardstick of the others.
+/// The general kernel, for any number of columns.
 #[must_use]
 pub fn general_estimate(columns: &[Column], integrand: u32) -> Plan {
-    let mut plan = Plan {
-        kernel: kernel(group(integrand), family(columns)),
-        specializations: vec![Vec::new()],
-        table: Some(table(columns)),
-        tile: 0,
+    let group = group(integrand);
+    // Terms of rendering are long, and would compile for as long as there are points.
+    let tile = match group == GROUPS[0] {
+        true => SHARED.min(longest_estimate(columns, integrand)),
+        false => 1,
     };
+    estimating(kernel(group, family(columns)), columns, integrand, tile)
+}
+
+/// The same plan for other columns of the same shape, which differ in seed, in number of
+/// points, or in both: only its table is another. `None` for another shape.
+#[must_use]
+pub fn replan_estimate(plan: &Plan, columns: &[Column], integrand: u32) -> Option<Plan> {
+    let family = plan.kernel.columns.map(|(family, _)| family);
+    let fits = columns.iter().all(|column| Some(column.family()) == family);
+    let other = estimating(plan.kernel, columns, integrand, plan.tile);
+    (fits && other.specializations == plan.specializations).then_some(other)
+}
+
+fn estimating(kernel: &'static Kernel, columns: &[Column], integrand: u32, tile: u32) -> Plan {
+    let mut plan = tabled(kernel, columns, tile);
+    plan.tile = tile;
+    plan.set("TILE", tile);
     plan.set("DIMENSIONS", columns.len() as u32);
     plan.set("INTEGRAND", integrand);
     plan
@@ -55,7 +73,11 @@ pub fn general_estimate(columns: &[Column], integrand: u32) -> Plan {
 /// again.
 #[must_use]
 pub fn longest_estimate(columns: &[Column], integrand: u32) -> u32 {
-    let longest = columns.iter().map(longest_run).min().unwrap_or(16);
+    let longest = columns.iter().map(|column| match column {
+        // A tile of any length starts with 85 iterations, and each point takes 8 at most.
+        Column::Radical(_) => 240,
+        column => longest_run(column),
+    });
     let share = if group(integrand) == GROUPS[0] { 4 } else { 2 };
-    (share * longest / columns.len().max(1) as u32).max(1)
+    (share * longest.min().unwrap_or(16) / columns.len().max(1) as u32).max(1)
 }

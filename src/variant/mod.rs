@@ -7,5 +7,5 @@ mod plan;
 
 pub use bases::{odometer_base, radical_base};
 pub use columns::column_words;
-pub use estimate::{general_estimate, longest_estimate, plan_estimate};
+pub use estimate::{general_estimate, longest_estimate, plan_estimate, replan_estimate};
 pub use plan::{FusedMap, Plan, Work, general, plan};

@@ -1,7 +1,7 @@
 //! Which kernel a job runs, with which constants.
 
 use super::columns::{column_words, longest_run};
-use crate::interface::{COLUMN_STRIDE, Column, Family, KERNELS, Kernel, output};
+use crate::interface::{COLUMN_STRIDE, Column, Family, KERNELS, KINDS, Kernel, output};
 
 /// A job in plain words.
 #[derive(Clone, Copy, Debug)]
@@ -93,12 +93,7 @@ pub fn plan(work: &Work) -> Plan {
 /// The general kernel for a job without a map: the yardstick of the others.
 #[must_use]
 pub fn general(work: &Work) -> Plan {
-    let mut plan = Plan {
-        kernel: kernel("generate", family(work.columns)),
-        specializations: vec![Vec::new()],
-        table: Some(table(work.columns)),
-        tile: 0,
-    };
+    let mut plan = tabled(kernel("generate", family(work.columns)), work.columns, 0);
     plan.set("DIMENSIONS", work.columns.len() as u32);
     plan.set(
         "OUTPUT",
@@ -111,10 +106,34 @@ pub fn general(work: &Work) -> Plan {
     plan
 }
 
-/// The words of all columns, as general kernels read them.
-pub(super) fn table(columns: &[Column]) -> Vec<u32> {
-    let words = columns.iter().map(|&column| column_words(column, 0));
-    words.flatten().collect()
+/// A kernel that reads columns from a table, but for the shapes that it takes as constants;
+/// with odometers where windows of `window` points have one (0: never).
+pub(super) fn tabled(kernel: &'static Kernel, columns: &[Column], window: u32) -> Plan {
+    let words: Vec<_> = columns.iter().map(|&c| column_words(c, window)).collect();
+    let mut values = vec![(KINDS, kinds(&words))];
+    let known: Vec<u32> = kernel.specialization().iter().map(|c| c.0).collect();
+    for (first, words) in (16..).step_by(COLUMN_STRIDE as usize).zip(&words) {
+        let shape = (first..).zip(words.iter().copied());
+        values.extend(shape.filter(|(id, _)| known.contains(id)));
+    }
+    Plan {
+        kernel,
+        specializations: vec![values],
+        table: Some(words.into_iter().flat_map(padded).collect()),
+        tile: 0,
+    }
+}
+
+/// A column's words in whole rows.
+fn padded(mut words: Vec<u32>) -> Vec<u32> {
+    words.resize(words.len().next_multiple_of(4), 0);
+    words
+}
+
+/// A bit for each kind of column that occurs.
+fn kinds(columns: &[Vec<u32>]) -> u32 {
+    let kind = |words: &Vec<u32>| words.first().map_or(0, |kind| 1 << (kind & 31));
+    columns.iter().map(kind).fold(0, |kinds, kind| kinds | kind)
 }
 
 /// A kernel of tiles of these columns.
@@ -130,10 +149,10 @@ pub(super) fn tiled(name: &str, columns: &[Column], cpu: bool) -> Plan {
         tile,
     };
     for part in columns.chunks(4) {
-        let mut values = Vec::new();
-        for (index, &column) in part.iter().enumerate() {
-            let first = 16 + COLUMN_STRIDE * index as u32;
-            values.extend((first..).zip(column_words(column, tile)));
+        let words: Vec<_> = part.iter().map(|&c| column_words(c, tile)).collect();
+        let mut values = vec![(KINDS, kinds(&words))];
+        for (index, words) in (0..).zip(words) {
+            values.extend((16 + COLUMN_STRIDE * index..).zip(words));
         }
         plan.specializations.push(values);
     }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::buffer::Buffer;
 use super::device::Device;
 use super::pipeline::Pipeline;
-use super::{failed, refused};
+use super::{UNIFORM_BYTES, failed, refused};
 use crate::error::{Error, Result};
 
 /// A descriptor set of its own, for [`record`](super::record) into the caller's
@@ -86,10 +86,7 @@ impl DescriptorSet {
         buffers: &[(u32, vk::Buffer, u64, u64)],
     ) -> Result<Self> {
         check_bindings(pipeline, buffers.iter().map(|one| one.0))?;
-        let sizes = [vk::DescriptorPoolSize {
-            ty: vk::DescriptorType::STORAGE_BUFFER,
-            descriptor_count: (pipeline.bindings.len() as u32).max(1),
-        }];
+        let sizes = pool_sizes((pipeline.bindings.len() as u32).max(1));
         let create = vk::DescriptorPoolCreateInfo::default()
             .max_sets(1)
             .pool_sizes(&sizes);
@@ -125,6 +122,18 @@ impl fmt::Debug for DescriptorSet {
     }
 }
 
+/// Room for so many buffers, whichever they are.
+pub(super) fn pool_sizes(buffers: u32) -> [vk::DescriptorPoolSize; 2] {
+    [
+        vk::DescriptorType::STORAGE_BUFFER,
+        vk::DescriptorType::UNIFORM_BUFFER,
+    ]
+    .map(|ty| vk::DescriptorPoolSize {
+        ty,
+        descriptor_count: buffers,
+    })
+}
+
 /// Allocates a set from a pool with room for it, and points it to the buffers.
 pub(super) fn allocate(
     device: &Device,
@@ -132,6 +141,7 @@ pub(super) fn allocate(
     pipeline: &Pipeline,
     buffers: &[(u32, vk::Buffer, u64, u64)],
 ) -> Result<vk::DescriptorSet> {
+    check_uniforms(pipeline, buffers)?;
     let layouts = [pipeline.set_layout];
     let create = vk::DescriptorSetAllocateInfo::default()
         .descriptor_pool(pool)
@@ -159,7 +169,7 @@ pub(super) fn allocate(
             vk::WriteDescriptorSet::default()
                 .dst_set(set)
                 .dst_binding(*binding)
-                .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
+                .descriptor_type(pipeline.descriptor_type(*binding))
                 .buffer_info(info)
         })
         .collect();
@@ -167,6 +177,25 @@ pub(super) fn allocate(
     // infos live until the call returns.
     unsafe { device.raw().update_descriptor_sets(&writes, &[]) };
     Ok(set)
+}
+
+/// Uniform blocks must be as short as every device takes them.
+fn check_uniforms(pipeline: &Pipeline, buffers: &[(u32, vk::Buffer, u64, u64)]) -> Result<()> {
+    let is_uniform =
+        |binding: u32| pipeline.descriptor_type(binding) == vk::DescriptorType::UNIFORM_BUFFER;
+    let long = buffers
+        .iter()
+        .find(|(binding, _, _, range)| is_uniform(*binding) && *range > UNIFORM_BYTES);
+    match long {
+        None => Ok(()),
+        Some((binding, ..)) => Err(Error::Shader {
+            shader: pipeline.name().to_owned(),
+            problem: format!(
+                "binding {binding} is a uniform block: give it a buffer of at most \
+                 {UNIFORM_BYTES} bytes"
+            ),
+        }),
+    }
 }
 
 /// The whole of each buffer.

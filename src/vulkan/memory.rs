@@ -56,7 +56,7 @@ impl Block {
         let raw = device.raw();
         let mut usage = vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
         if purpose != Purpose::Staging {
-            usage |= vk::BufferUsageFlags::STORAGE_BUFFER;
+            usage |= vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::UNIFORM_BUFFER;
         }
         let create = vk::BufferCreateInfo::default()
             .size(bytes)

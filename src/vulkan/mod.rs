@@ -60,8 +60,11 @@ use crate::error::Error;
 /// [`Device::set_wait_limit`] says otherwise.
 pub const WAIT_SECONDS: u64 = 30;
 
-/// Most storage buffers that one pipeline of this module may bind.
+/// Most buffers that one pipeline of this module may bind.
 pub const MAX_BINDINGS: usize = 16;
+
+/// Most bytes of a uniform block: what every device allows.
+pub const UNIFORM_BYTES: u64 = 16384;
 
 /// Names the call in the error of a failed Vulkan call.
 fn failed(call: &'static str) -> impl Fn(ash::vk::Result) -> Error {

@@ -18,7 +18,7 @@ pub struct PipelineDescription<'a> {
     pub name: &'a str,
     /// The module; its entry point is `main`.
     pub spirv: &'a [u32],
-    /// Binding numbers of the storage buffers, all in set 0.
+    /// Binding numbers of the buffers, all in set 0.
     pub bindings: &'a [u32],
     /// Bytes of the push-constant block.
     pub push_constant_bytes: u32,
@@ -34,6 +34,7 @@ pub struct Pipeline {
     pub(super) layout: vk::PipelineLayout,
     pub(super) set_layout: vk::DescriptorSetLayout,
     pub(super) bindings: Vec<u32>,
+    pub(super) uniforms: Vec<u32>,
     pub(super) push_constant_bytes: u32,
 }
 
@@ -46,6 +47,19 @@ impl Pipeline {
     /// given twice; [`Error::InadequateDevice`] past the device's limits;
     /// [`Error::Vulkan`] when the driver fails.
     pub fn new(device: &Arc<Device>, description: &PipelineDescription<'_>) -> Result<Self> {
+        Self::with_uniforms(device, description, &[])
+    }
+
+    /// The same where these of the bindings are uniform blocks, of at most
+    /// [`UNIFORM_BYTES`](super::UNIFORM_BYTES) each, and the others storage buffers.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub fn with_uniforms(
+        device: &Arc<Device>,
+        description: &PipelineDescription<'_>,
+        uniforms: &[u32],
+    ) -> Result<Self> {
         check(device, description)?;
         let mut pipeline = Self {
             device: Arc::clone(device),
@@ -54,6 +68,7 @@ impl Pipeline {
             layout: vk::PipelineLayout::null(),
             set_layout: vk::DescriptorSetLayout::null(),
             bindings: description.bindings.to_vec(),
+            uniforms: uniforms.to_vec(),
             push_constant_bytes: description.push_constant_bytes,
         };
         // On an error, dropping `pipeline` destroys what was made.
@@ -81,7 +96,16 @@ impl Pipeline {
         self.raw
     }
 
-    /// The layout: set 0 with the storage buffers, and the push constants.
+    /// What is bound there.
+    pub(super) fn descriptor_type(&self, binding: u32) -> vk::DescriptorType {
+        if self.uniforms.contains(&binding) {
+            vk::DescriptorType::UNIFORM_BUFFER
+        } else {
+            vk::DescriptorType::STORAGE_BUFFER
+        }
+    }
+
+    /// The layout: set 0 with the buffers, and the push constants.
     #[must_use]
     pub fn layout(&self) -> vk::PipelineLayout {
         self.layout
@@ -99,7 +123,7 @@ impl Pipeline {
             .map(|binding| {
                 vk::DescriptorSetLayoutBinding::default()
                     .binding(*binding)
-                    .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
+                    .descriptor_type(self.descriptor_type(*binding))
                     .descriptor_count(1)
                     .stage_flags(vk::ShaderStageFlags::COMPUTE)
             })

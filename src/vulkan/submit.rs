@@ -5,7 +5,7 @@ use std::sync::PoisonError;
 use std::sync::atomic::Ordering;
 
 use super::device::Device;
-use super::{MAX_BINDINGS, dispatch, failed};
+use super::{MAX_BINDINGS, descriptor, dispatch, failed};
 use crate::error::{Error, Result};
 
 /// The objects that one submission at a time uses again and again.
@@ -16,7 +16,7 @@ pub(super) struct Lane {
     fence: vk::Fence,
     /// Null where the queue has no timestamps.
     queries: vk::QueryPool,
-    /// Room for one set of [`MAX_BINDINGS`] storage buffers.
+    /// Room for one set of [`MAX_BINDINGS`] buffers.
     pub(super) descriptors: vk::DescriptorPool,
     /// Submitted, and not seen to end.
     pending: bool,
@@ -62,10 +62,7 @@ impl Lane {
             self.queries = unsafe { raw.create_query_pool(&queries, None) }
                 .map_err(failed("vkCreateQueryPool"))?;
         }
-        let sizes = [vk::DescriptorPoolSize {
-            ty: vk::DescriptorType::STORAGE_BUFFER,
-            descriptor_count: MAX_BINDINGS as u32,
-        }];
+        let sizes = descriptor::pool_sizes(MAX_BINDINGS as u32);
         let descriptors = vk::DescriptorPoolCreateInfo::default()
             .max_sets(1)
             .pool_sizes(&sizes);

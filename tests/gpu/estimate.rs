@@ -97,6 +97,144 @@ fn no_split_shows() {
     });
 }
 
+/// Samplers of every family of columns, and of every kind.
+const SAMPLERS: [(Sequence, Scramble); 21] = [
+    (Sequence::Sobol, Scramble::None),
+    (Sequence::Sobol, Scramble::Shift),
+    (Sequence::Sobol, Scramble::Matrix),
+    (Sequence::Sobol, Scramble::Owen),
+    (Sequence::Sobol, Scramble::OwenHash),
+    (Sequence::Pmj02, Scramble::None),
+    (Sequence::Random, Scramble::None),
+    (Sequence::RandomFast, Scramble::None),
+    (Sequence::Pcg32, Scramble::None),
+    (Sequence::Halton, Scramble::None),
+    (Sequence::Hammersley, Scramble::None),
+    (Sequence::Halton, Scramble::Faure),
+    (Sequence::Halton, Scramble::Permute),
+    (Sequence::Halton, Scramble::Owen),
+    (Sequence::Halton, Scramble::Start),
+    (Sequence::Stratified, Scramble::None),
+    (Sequence::LatinHypercube, Scramble::None),
+    (Sequence::MultiJittered, Scramble::None),
+    (Sequence::Lattice, Scramble::Rotate),
+    (Sequence::Korobov, Scramble::Rotate),
+    (Sequence::R2, Scramble::Rotate),
+];
+
+/// One estimator, and requests of other seeds, counts and first points.
+#[test]
+fn an_estimator_takes_requests_of_its_shape() {
+    support::on_one_device(|device| {
+        for (sequence, scramble) in SAMPLERS {
+            let make = |first, count, seed: u64| {
+                let options = Options {
+                    first,
+                    dimensions: Some(2),
+                    seed: Some(seed),
+                    scramble: (scramble != Scramble::None).then_some(scramble),
+                    // A set of another size for each seed.
+                    total: (sequence == Sequence::Korobov)
+                        .then_some([1021, 2039][seed as usize % 2]),
+                    fractions: true,
+                    ..Options::new(sequence, count)
+                };
+                Request::new(&options).unwrap_or_else(|error| panic!("{sequence:?}: {error}"))
+            };
+            let problem = problem("genz-gaussian:d=2");
+            let requests = [make(0, 36, 1), make(0, 900, 2), make(0, 36, 3)];
+            for mut estimator in both(device, &problem, &requests[0]) {
+                for request in &requests {
+                    estimator
+                        .set_request(request)
+                        .unwrap_or_else(|error| panic!("{sequence:?}: {error}"));
+                    let run = estimator.run(0, request.count, &mut |_| Ok(()));
+                    let expected = bulk::estimate(&problem, request, 0, request.count);
+                    let name = estimator.kernel_name();
+                    assert_eq!(
+                        run.expect("sums").0,
+                        expected.expect("sums"),
+                        "{name}, {sequence:?} {scramble:?}, seed {}",
+                        request.seed
+                    );
+                }
+            }
+        }
+    });
+}
+
+/// Many dimensions, of all samplers that have so many.
+#[test]
+fn many_dimensions_are_summed_as_on_the_cpu() {
+    support::on_one_device(|device| {
+        for (sequence, scramble) in SAMPLERS {
+            let most = sequence.dimensions().1;
+            for d in [5, 64].into_iter().filter(|&d| d <= u64::from(most)) {
+                let options = Options {
+                    first: 3 * 1021 - 200,
+                    dimensions: Some(d),
+                    seed: Some(5),
+                    scramble: (scramble != Scramble::None).then_some(scramble),
+                    total: (sequence == Sequence::Korobov).then_some(4093),
+                    fractions: true,
+                    ..Options::new(sequence, 203)
+                };
+                let request = Request::new(&options).unwrap_or_else(|error| panic!("{error}"));
+                let problem = problem(&format!("genz-continuous:d={d}"));
+                let mut estimator = Estimator::new(device, &problem, &request).expect("it");
+                let (got, _) = estimator.run(0, 203, &mut |_| Ok(())).expect("sums");
+                let expected = bulk::estimate(&problem, &request, 0, 203).expect("sums");
+                assert_eq!(got, expected, "{sequence:?} {scramble:?}, {d} dimensions");
+            }
+        }
+    });
+}
+
+#[test]
+fn requests_of_another_shape_are_refused() {
+    support::on_one_device(|device| {
+        let problem = problem("disk-step");
+        let of = |sequence, scramble, bases: Option<Vec<u64>>| {
+            let options = Options {
+                dimensions: bases.is_none().then_some(2),
+                bases,
+                scramble,
+                ..Options::new(sequence, 100)
+            };
+            Request::new(&options).expect("a request")
+        };
+        let net = |scramble| of(Sequence::Sobol, Some(scramble), None);
+        let halton = |bases| of(Sequence::Halton, None, bases);
+        let requests = [
+            net(Scramble::OwenHash),
+            net(Scramble::Owen),
+            of(Sequence::Random, None, None),
+            halton(Some(vec![2, 3])),
+            halton(Some(vec![2, 5])),
+            halton(Some(vec![3, 2])),
+        ];
+        for (i, request) in requests.iter().enumerate() {
+            let mut estimator = Estimator::new(device, &problem, request).expect("an estimator");
+            let (before, _) = estimator.run(0, 100, &mut |_| Ok(())).expect("sums");
+            for (j, other) in requests.iter().enumerate() {
+                let set = estimator
+                    .set_request(other)
+                    .map_err(|error| error.exit_code());
+                assert_eq!(set, if i == j { Ok(()) } else { Err(2) }, "{i} {j}");
+                let (after, _) = estimator.run(0, 100, &mut |_| Ok(())).expect("sums");
+                assert_eq!(after, before);
+            }
+        }
+        let line = points(&problem, None, 0, 100);
+        let mut estimator = Estimator::new(device, &problem, &line).expect("an estimator");
+        let wide = Request::new(&Options {
+            dimensions: Some(3),
+            ..Options::new(Sequence::Sobol, 100)
+        });
+        assert!(estimator.set_request(&wide.expect("a request")).is_err());
+    });
+}
+
 /// The kernel of a plan with groups of another size.
 fn resized(mut plan: Plan, local_size: u32) -> (Plan, Vec<u32>) {
     let row: &'static Kernel = Box::leak(Box::new(Kernel {
@@ -131,7 +269,7 @@ fn no_size_of_a_group_shows() {
             for size in [1, 32, 64, 128] {
                 let plan = match general {
                     true => general_estimate(&request.columns, id),
-                    false => plan_estimate(&request.columns, COUNT, id, true),
+                    false => plan_estimate(&request.columns, id, true),
                 };
                 let (plan, words) = resized(plan, size);
                 let mut estimator =

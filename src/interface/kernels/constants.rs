@@ -1,8 +1,8 @@
 //! Specialization constants and buffers that the kernels share.
 
 use super::super::{
-    Binding, Constant, Element, EstimatePush, MapPush, Member, PushConstants, WorkPush, integrand,
-    map, output, pair_kind, task,
+    Binding, Constant, ESTIMATE_DIMENSIONS, Element, EstimatePush, MapPush, Member, PushConstants,
+    WorkPush, integrand, map, output, pair_kind, task,
 };
 
 pub(super) const OUTPUT: Constant = Constant {
@@ -96,14 +96,19 @@ pub(super) const RESULTS: Binding = Binding {
 pub(super) const COLUMNS: Binding = Binding {
     binding: 1,
     name: "columns",
-    element: Element::Uint,
+    element: Element::Uvec4,
     input: true,
 };
-/// What the host says of an integrand.
+/// The columns of an estimate, of which the widest take ten rows.
+pub(super) const FEW_COLUMNS: Binding = Binding {
+    element: Element::Rows(10 * ESTIMATE_DIMENSIONS),
+    ..COLUMNS
+};
+/// What the host says of an integrand: a row, and one for each dimension.
 pub(super) const COEFFICIENTS: Binding = Binding {
     binding: 2,
     name: "coefficients",
-    element: Element::Uint,
+    element: Element::Rows(1 + ESTIMATE_DIMENSIONS),
     input: true,
 };
 /// What it says in bulk: the texels and distribution of a map.

@@ -31,6 +31,7 @@ const fn maps(
         bindings,
         constants: &[MAP, WITH_PDF, DIMENSIONS, TASK, COORDINATES],
         columns: None,
+        shapes: 0,
         profile,
     }
 }
@@ -50,6 +51,7 @@ const fn evaluate(
         bindings: &[RESULTS, ARGUMENTS],
         constants: &[FUNCTION, INDEXED],
         columns: None,
+        shapes: 0,
         profile,
     }
 }
@@ -82,6 +84,7 @@ const fn pairs(name: &'static str, source: &'static str, constants: &'static [Co
         ],
         constants,
         columns: None,
+        shapes: 0,
         profile: Profile::Integer,
     }
 }
@@ -111,6 +114,7 @@ const OTHERS: &[Kernel] = &[
         ],
         constants: &[],
         columns: None,
+        shapes: 0,
         profile: Profile::Integer,
     },
     pairs("pairs", "pairs.comp", &[KIND]),
@@ -149,6 +153,7 @@ const OTHERS: &[Kernel] = &[
         ],
         constants: &[],
         columns: None,
+        shapes: 0,
         profile: Profile::Integer,
     },
     Kernel {
@@ -173,6 +178,7 @@ const OTHERS: &[Kernel] = &[
         ],
         constants: &[],
         columns: None,
+        shapes: 0,
         profile: Profile::Probe,
     },
 ];

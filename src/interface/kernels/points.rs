@@ -2,8 +2,8 @@
 
 use super::super::{FAMILIES, Family, Kernel, Profile};
 use super::constants::{
-    COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, INTEGRAND, MAP, OUTPUT, PART,
-    RESULTS, ROW, TABLES, TILE, WITH_PDF, WORK,
+    COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, FEW_COLUMNS, INTEGRAND, MAP, OUTPUT,
+    PART, RESULTS, ROW, TABLES, TILE, WITH_PDF, WORK,
 };
 
 /// The kernels of a family that make points: the general one, tiles of one to four
@@ -69,48 +69,47 @@ macro_rules! point_kernels {
             Kernel {
                 name: concat!("estimate", $suffix),
                 defines: &[("COLUMN_TABLE", "1")],
-                bindings: &[RESULTS, COLUMNS, COEFFICIENTS],
-                constants: &[DIMENSIONS, INTEGRAND],
                 columns: Some(($family, 0)),
                 ..estimates()
             },
             Kernel {
                 name: concat!("estimate_tile_1", $suffix),
-                defines: &[("TILE_COLUMNS", "1")],
-                columns: Some(($family, 1)),
+                defines: &[("COLUMN_TABLE", "1"), ("TILE_COLUMNS", "1")],
+                columns: Some(($family, 0)),
+                shapes: 1,
                 ..estimates()
             },
             Kernel {
                 name: concat!("estimate_tile_2", $suffix),
-                defines: &[("TILE_COLUMNS", "2")],
-                columns: Some(($family, 2)),
+                defines: &[("COLUMN_TABLE", "1"), ("TILE_COLUMNS", "2")],
+                columns: Some(($family, 0)),
+                shapes: 2,
                 ..estimates()
             },
             Kernel {
                 name: concat!("estimate_tile_3", $suffix),
-                defines: &[("TILE_COLUMNS", "3")],
-                columns: Some(($family, 3)),
+                defines: &[("COLUMN_TABLE", "1"), ("TILE_COLUMNS", "3")],
+                columns: Some(($family, 0)),
+                shapes: 3,
                 ..estimates()
             },
             Kernel {
                 name: concat!("estimate_tile_4", $suffix),
-                defines: &[("TILE_COLUMNS", "4")],
-                columns: Some(($family, 4)),
+                defines: &[("COLUMN_TABLE", "1"), ("TILE_COLUMNS", "4")],
+                columns: Some(($family, 0)),
+                shapes: 4,
                 ..estimates()
             },
             Kernel {
                 name: concat!("estimate_environment", $suffix),
                 defines: &[("COLUMN_TABLE", "1"), ("RENDER_ENVIRONMENT", "1")],
-                bindings: &[RESULTS, COLUMNS, COEFFICIENTS, TABLES],
-                constants: &[DIMENSIONS, INTEGRAND],
+                bindings: &[RESULTS, FEW_COLUMNS, COEFFICIENTS, TABLES],
                 columns: Some(($family, 0)),
                 ..estimates()
             },
             Kernel {
                 name: concat!("estimate_scene", $suffix),
                 defines: &[("COLUMN_TABLE", "1"), ("RENDER_SCENE", "1")],
-                bindings: &[RESULTS, COLUMNS, COEFFICIENTS],
-                constants: &[DIMENSIONS, INTEGRAND],
                 columns: Some(($family, 0)),
                 ..estimates()
             },
@@ -129,6 +128,7 @@ pub(super) const fn points() -> Kernel {
         bindings: &[RESULTS],
         constants: &[OUTPUT, TILE],
         columns: None,
+        shapes: 0,
         profile: Profile::Integer,
     }
 }
@@ -138,7 +138,7 @@ const fn estimates() -> Kernel {
     Kernel {
         source: "estimate.comp",
         push: ESTIMATE,
-        bindings: &[RESULTS, COEFFICIENTS],
+        bindings: &[RESULTS, FEW_COLUMNS, COEFFICIENTS],
         constants: &[DIMENSIONS, TILE, INTEGRAND],
         ..points()
     }

@@ -4,7 +4,7 @@ use corput::interface::{Element, Kernel};
 use corput::spirv::Module;
 use spirq::ReflectConfig;
 use spirq::constant::ConstantValue;
-use spirq::ty::{AccessType, DescriptorType, ScalarType, Type};
+use spirq::ty::{DescriptorType, ScalarType, Type};
 use spirq::var::Variable;
 use std::collections::BTreeSet;
 
@@ -30,13 +30,18 @@ pub fn promised(row: &Kernel) -> Facts {
     }
     for b in row.bindings {
         let (element, stride) = match b.element {
-            Element::Uint => ("uint", 4),
-            Element::Uvec4 => ("uvec4", 16),
+            Element::Uint => ("uint[]".to_owned(), 4),
+            Element::Uvec4 => ("uvec4[]".to_owned(), 16),
+            Element::Rows(rows) => (format!("uvec4[{rows}]"), 16),
         };
-        let access = if b.input { "ReadOnly" } else { "ReadWrite" };
+        let access = match (b.element, b.input) {
+            (Element::Rows(_), true) => "Uniform",
+            (_, true) => "ReadOnly",
+            _ => "ReadWrite",
+        };
         let (at, name) = (b.binding, b.name);
         facts.insert(format!(
-            "buffer 0.{at} {name}: {access} {element}[] every {stride}"
+            "buffer 0.{at} {name}: {access} {element} every {stride}"
         ));
     }
     for (id, name, default) in row.specialization() {
@@ -89,11 +94,13 @@ pub fn reflected(words: &[u32]) -> Facts {
                 ..
             } => {
                 assert_eq!(*nbind, 1);
-                let DescriptorType::StorageBuffer(access) = desc_ty else {
-                    panic!("binding {desc_bind} is {desc_ty:?}")
+                let access = match desc_ty {
+                    DescriptorType::StorageBuffer(access) => format!("{access:?}"),
+                    DescriptorType::UniformBuffer() => "Uniform".to_owned(),
+                    other => panic!("binding {desc_bind} is {other:?}"),
                 };
                 let (set, at) = desc_bind.into_inner();
-                facts.insert(format!("buffer {set}.{at} {}", buffer(ty, *access)));
+                facts.insert(format!("buffer {set}.{at} {}", buffer(ty, &access)));
             }
             _ => {}
         }
@@ -130,7 +137,7 @@ fn without_constant_operations(words: &[u32]) -> Vec<u32> {
 }
 
 /// Name, access, element and stride of a buffer's one array.
-fn buffer(ty: &Type, access: AccessType) -> String {
+fn buffer(ty: &Type, access: &str) -> String {
     let Type::Struct(block) = ty else {
         panic!("a buffer is {ty:?}")
     };
@@ -140,7 +147,8 @@ fn buffer(ty: &Type, access: AccessType) -> String {
     let Type::Array(array) = &member.ty else {
         panic!("a buffer holds {:?}", member.ty)
     };
-    assert_eq!((member.offset, array.nelement), (Some(0), None));
+    assert_eq!(member.offset, Some(0));
+    let length = array.nelement.map_or(String::new(), |n| n.to_string());
     let element = match &*array.element_ty {
         element if *element == UINT => "uint".to_owned(),
         Type::Vector(v) if Type::Scalar(v.scalar_ty.clone()) == UINT => {
@@ -152,7 +160,7 @@ fn buffer(ty: &Type, access: AccessType) -> String {
         member.name.clone().unwrap_or_default(),
         array.stride.unwrap_or(0),
     );
-    format!("{name}: {access:?} {element}[] every {stride}")
+    format!("{name}: {access} {element}[{length}] every {stride}")
 }
 
 /// Specialization constants with names and defaults.

@@ -244,7 +244,7 @@ fn sobol(dimensions: u32) -> Request {
 
 fn estimated(target: Target, columns: &[Column]) -> Plan {
     match target {
-        Target::EstimateTile(name) => plan_estimate(columns, u64::MAX, integrand(name).id, true),
+        Target::EstimateTile(name) => plan_estimate(columns, integrand(name).id, true),
         Target::Estimate(name) => general_estimate(columns, integrand(name).id),
         _ => unreachable!("only estimates"),
     }
