@@ -4,6 +4,7 @@
 #define KERNEL_INTEGRAND_GLSL
 
 #include "corput/genz.glsl"
+#include "corput/keister.glsl"
 
 const uint X_SQUARED = 0u;
 const uint OFFSET = 1u;
@@ -18,6 +19,9 @@ const uint GAUSSIAN = 9u;
 const uint CONTINUOUS = 10u;
 const uint DISCONTINUOUS = 11u;
 const uint SOBOL_G = 12u;
+const uint PEAK_UNIFORM = 13u;
+const uint PEAK_NORMAL = 14u;
+const uint KEISTER = 15u;
 
 // What the coordinates so far come to: a sum or product of reals, or a word; and the first
 // three of them.
@@ -73,7 +77,7 @@ Integrand integrand_step(Integrand state, uint dimension, uint u) {
     if (INTEGRAND == DISCONTINUOUS) {
         next.word = state.word | uint(u > coefficients[at + 2u]);
     }
-    if (INTEGRAND == GAUSSIAN) {
+    if (INTEGRAND == GAUSSIAN || INTEGRAND == PEAK_UNIFORM) {
         next.real = corput_genz_square(state.real, u, coefficients[at + 2u], integrand_real(at));
     }
     if (INTEGRAND == CONTINUOUS) {
@@ -81,6 +85,12 @@ Integrand integrand_step(Integrand state, uint dimension, uint u) {
     }
     if (INTEGRAND == SOBOL_G) {
         next.real = corput_sobol_g(state.real, u, integrand_real(at), integrand_real(at + 2u));
+    }
+    if (INTEGRAND == PEAK_NORMAL) {
+        next.word = state.word | corput_peak_outside(u, coefficients[at + 2u], integrand_real(at));
+    }
+    if (INTEGRAND == KEISTER) {
+        next.real = corput_keister_square(state.real, u);
     }
     return next;
 }
@@ -112,7 +122,7 @@ CorputTerm integrand_term(Integrand state, int scale) {
     if (INTEGRAND == CORNER_PEAK) {
         real = corput_genz_corner(state.real, DIMENSIONS);
     }
-    if (INTEGRAND == GAUSSIAN || INTEGRAND == CONTINUOUS) {
+    if (INTEGRAND == GAUSSIAN || INTEGRAND == CONTINUOUS || INTEGRAND == PEAK_UNIFORM) {
         real = corput_real_exp(corput_real_negate(state.real));
     }
     if (INTEGRAND == DISCONTINUOUS) {
@@ -120,6 +130,15 @@ CorputTerm integrand_term(Integrand state, int scale) {
         if (state.word != 0u) {
             real = corput_real_zero();
         }
+    }
+    if (INTEGRAND == PEAK_NORMAL) {
+        real = integrand_real(0u);
+        if (state.word != 0u) {
+            real = corput_real_zero();
+        }
+    }
+    if (INTEGRAND == KEISTER) {
+        real = corput_real_multiply(integrand_real(0u), corput_keister_cosine(state.real));
     }
     if (INTEGRAND == INVERSE_ROOT || INTEGRAND >= ISHIGAMI) {
         term = corput_term(real, scale);
