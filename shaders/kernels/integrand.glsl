@@ -5,6 +5,7 @@
 #define KERNEL_INTEGRAND_GLSL
 
 #include "corput/genz.glsl"
+#include "corput/keister.glsl"
 
 const uint X_SQUARED = 0u;
 const uint OFFSET = 1u;
@@ -19,7 +20,10 @@ const uint GAUSSIAN = 9u;
 const uint CONTINUOUS = 10u;
 const uint DISCONTINUOUS = 11u;
 const uint SOBOL_G = 12u;
-const uint SQUARE_OF_SUM = 13u;
+const uint PEAK_UNIFORM = 13u;
+const uint PEAK_NORMAL = 14u;
+const uint KEISTER = 15u;
+const uint SQUARE_OF_SUM = 16u;
 
 // What the coordinates so far come to: a sum or product of reals, or a word; and the first
 // three of them.
@@ -75,7 +79,7 @@ Integrand integrand_step(Integrand state, uint dimension, uint u, uvec4 head, uv
     if (INTEGRAND == DISCONTINUOUS) {
         next.word = state.word | uint(u > c.z);
     }
-    if (INTEGRAND == GAUSSIAN) {
+    if (INTEGRAND == GAUSSIAN || INTEGRAND == PEAK_UNIFORM) {
         next.real = corput_genz_square(state.real, u, c.z, integrand_real(c.xy));
     }
     if (INTEGRAND == CONTINUOUS) {
@@ -86,6 +90,12 @@ Integrand integrand_step(Integrand state, uint dimension, uint u, uvec4 head, uv
     }
     if (INTEGRAND == SQUARE_OF_SUM) {
         next.real = corput_real_add(state.real, corput_real_uint(u, -32));
+    }
+    if (INTEGRAND == PEAK_NORMAL) {
+        next.word = state.word | corput_peak_outside(u, c.z, integrand_real(c.xy));
+    }
+    if (INTEGRAND == KEISTER) {
+        next.real = corput_keister_square(state.real, u);
     }
     return next;
 }
@@ -117,7 +127,7 @@ CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     if (INTEGRAND == CORNER_PEAK) {
         real = corput_genz_corner(state.real, DIMENSIONS);
     }
-    if (INTEGRAND == GAUSSIAN || INTEGRAND == CONTINUOUS) {
+    if (INTEGRAND == GAUSSIAN || INTEGRAND == CONTINUOUS || INTEGRAND == PEAK_UNIFORM) {
         real = corput_real_exp(corput_real_negate(state.real));
     }
     if (INTEGRAND == DISCONTINUOUS) {
@@ -128,6 +138,15 @@ CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     }
     if (INTEGRAND == SQUARE_OF_SUM) {
         real = corput_real_square(state.real);
+    }
+    if (INTEGRAND == PEAK_NORMAL) {
+        real = integrand_real(head.xy);
+        if (state.word != 0u) {
+            real = corput_real_zero();
+        }
+    }
+    if (INTEGRAND == KEISTER) {
+        real = corput_real_multiply(integrand_real(head.xy), corput_keister_cosine(state.real));
     }
     if (INTEGRAND == INVERSE_ROOT || INTEGRAND >= ISHIGAMI) {
         term = corput_term(real, scale);

@@ -4,8 +4,11 @@
 #define KERNEL_INTEGRAND_SCENE_GLSL
 
 #include "integrand_point.glsl"
+#include "corput/defocus.glsl"
 #include "corput/ggx_furnace.glsl"
 #include "corput/lambert.glsl"
+#include "corput/single_scattering.glsl"
+#include "corput/soft_shadow.glsl"
 #define PREPARED(i) coefficients[(i) >> 2u][(i) & 3u]
 #include "prepared_spherical.glsl"
 
@@ -18,6 +21,14 @@ const uint POLYGON_MIS = 135u;
 const uint FURNACE_UNIFORM = 136u;
 const uint FURNACE_COSINE = 137u;
 const uint FURNACE_VISIBLE = 138u;
+const uint LENS_SQUARE = 140u;
+const uint LENS_POLAR = 141u;
+const uint LENS_CONCENTRIC = 142u;
+const uint SCATTERING_UNIFORM = 144u;
+const uint SCATTERING_PHASE = 145u;
+const uint SHADOW_UNIFORM = 148u;
+const uint SHADOW_COSINE = 149u;
+const uint SHADOW_LIGHT = 150u;
 
 CorputGgx prepared_ggx(uint i) {
     return CorputGgx(prepared_real(i), prepared_real(i + 1u), prepared_real3(i + 2u), prepared_real3(i + 5u),
@@ -58,6 +69,39 @@ CorputReal integrand_furnace(uvec2 u) {
     return corput_furnace_visible(g, u);
 }
 
+CorputReal integrand_lens(uvec2 u) {
+    CorputReal3 edge = prepared_real3(2u);
+    if (INTEGRAND == LENS_SQUARE) {
+        return corput_defocus_square(edge, u);
+    }
+    if (INTEGRAND == LENS_POLAR) {
+        return corput_defocus_polar(edge, u);
+    }
+    return corput_defocus_concentric(edge, u);
+}
+
+CorputReal integrand_scattering(uvec3 u) {
+    CorputReal depth = prepared_real(2u);
+    float g = uintBitsToFloat(coefficients[0].x);
+    CorputHenyeyGreenstein h = corput_henyey_greenstein_prepare(g);
+    if (INTEGRAND == SCATTERING_UNIFORM) {
+        return corput_scattering_uniform(h, depth, u);
+    }
+    return corput_scattering_phase(h, depth, u);
+}
+
+CorputReal integrand_shadow(uvec2 u) {
+    CorputSphereLight light = prepared_sphere(2u);
+    CorputReal3 edge = prepared_real3(13u);
+    if (INTEGRAND == SHADOW_UNIFORM) {
+        return corput_shadow_uniform(light, edge, u);
+    }
+    if (INTEGRAND == SHADOW_COSINE) {
+        return corput_shadow_cosine(light, edge, u);
+    }
+    return corput_shadow_light(light, edge, u);
+}
+
 CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     CorputReal real = corput_real_zero();
     if (INTEGRAND < POLYGON_UNIFORM) {
@@ -66,8 +110,17 @@ CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     if (INTEGRAND >= POLYGON_UNIFORM && INTEGRAND < FURNACE_UNIFORM) {
         real = integrand_polygon(state.point.xyz);
     }
-    if (INTEGRAND >= FURNACE_UNIFORM) {
+    if (INTEGRAND >= FURNACE_UNIFORM && INTEGRAND < LENS_SQUARE) {
         real = integrand_furnace(state.point.xy);
+    }
+    if (INTEGRAND >= LENS_SQUARE && INTEGRAND < SCATTERING_UNIFORM) {
+        real = integrand_lens(state.point.xy);
+    }
+    if (INTEGRAND >= SCATTERING_UNIFORM && INTEGRAND < SHADOW_UNIFORM) {
+        real = integrand_scattering(state.point.xyz);
+    }
+    if (INTEGRAND >= SHADOW_UNIFORM) {
+        real = integrand_shadow(state.point.xy);
     }
     return corput_term(real, scale);
 }

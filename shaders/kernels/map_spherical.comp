@@ -84,7 +84,7 @@ MAP_STRUCT(SphericalRectangle) rectangle() {
 }
 
 MAP_STRUCT(SphereLight) sphere() {
-    return prepared_sphere();
+    return prepared_sphere(0u);
 }
 
 MAP_STRUCT(DiskLight) disk() {

@@ -23,8 +23,8 @@ CorputSphericalRectangle prepared_rectangle() {
     return CorputSphericalRectangle(prepared_triangle(0u), prepared_triangle(30u), prepared_real(60u));
 }
 
-CorputSphereLight prepared_sphere() {
-    return CorputSphereLight(prepared_frame(0u), prepared_real(9u), prepared_real(10u));
+CorputSphereLight prepared_sphere(uint i) {
+    return CorputSphereLight(prepared_frame(i), prepared_real(i + 9u), prepared_real(i + 10u));
 }
 
 CorputDiskLight prepared_disk() {

@@ -13,8 +13,9 @@ use crate::reference::genz::{
 use crate::reference::integrand::{
     checkerboard_cell, disk_step, indicator, inverse_root, ishigami, offset_fraction, x_squared,
 };
+use crate::reference::keister::{keister_cosine, keister_square, peak_outside};
 use crate::reference::real::{
-    Real, real_add, real_negate, real_or_zero, real_square, real_uint, real_zero,
+    Real, real_add, real_multiply, real_negate, real_or_zero, real_square, real_uint, real_zero,
 };
 use crate::reference::sum::{Term, term};
 use glam::{UVec3, uvec2};
@@ -28,7 +29,7 @@ pub fn integrand_term(problem: &Problem, point: &[u32]) -> Term {
     if let Some(map) = problem.map() {
         return term(environment_term(problem, map, point), made.scale);
     }
-    if problem.estimator().is_some() {
+    if problem.id() >= integrand::SKY_UNIFORM {
         return term(scene_term(problem, point), made.scale);
     }
     let mut state = State::start(problem);
@@ -36,7 +37,7 @@ pub fn integrand_term(problem: &Problem, point: &[u32]) -> Term {
         state.step(problem, j, u);
     }
     let [x, y, z] = [0, 1, 2].map(|j| point.get(j).copied().unwrap_or(0));
-    let real = match problem.integrand().id {
+    let real = match problem.id() {
         integrand::X_SQUARED => return x_squared(x),
         integrand::OFFSET => return offset_fraction(x, head[0]),
         integrand::DISK_STEP => return indicator(disk_step(uvec2(x, y))),
@@ -49,10 +50,14 @@ pub fn integrand_term(problem: &Problem, point: &[u32]) -> Term {
         ),
         integrand::OSCILLATORY => genz_oscillation(state.word),
         integrand::CORNER_PEAK => genz_corner(state.real, problem.dimensions()),
-        integrand::GAUSSIAN | integrand::CONTINUOUS => real_exp(real_negate(state.real)),
         integrand::SQUARE_OF_SUM => real_square(state.real),
-        integrand::DISCONTINUOUS if state.word != 0 => real_zero(),
+        integrand::GAUSSIAN | integrand::CONTINUOUS | integrand::PEAK_UNIFORM => {
+            real_exp(real_negate(state.real))
+        }
+        integrand::PEAK_NORMAL | integrand::DISCONTINUOUS if state.word != 0 => real_zero(),
+        integrand::PEAK_NORMAL => real([head[0], head[1]]),
         integrand::DISCONTINUOUS => real_exp(state.real),
+        integrand::KEISTER => real_multiply(real([head[0], head[1]]), keister_cosine(state.real)),
         _ => state.real,
     };
     term(real, made.scale)
@@ -86,12 +91,16 @@ impl State {
         let made = problem.coefficients();
         let none = [0; 4];
         let column @ [m, e, w, _] = *made.columns.get(dimension).unwrap_or(&none);
-        match problem.integrand().id {
+        match problem.id() {
             integrand::CHECKERBOARD => self.word ^= checkerboard_cell(u, made.head[0]),
             integrand::OSCILLATORY => self.word = genz_phase(self.word, u, uvec2(m, e)),
             integrand::PRODUCT_PEAK => self.real = genz_peak(self.real, u, w, real([m, e])),
             integrand::CORNER_PEAK => self.real = genz_linear(self.real, u, real([m, e])),
-            integrand::GAUSSIAN => self.real = genz_square(self.real, u, w, real([m, e])),
+            integrand::GAUSSIAN | integrand::PEAK_UNIFORM => {
+                self.real = genz_square(self.real, u, w, real([m, e]))
+            }
+            integrand::PEAK_NORMAL => self.word |= peak_outside(u, w, real([m, e])),
+            integrand::KEISTER => self.real = keister_square(self.real, u),
             integrand::CONTINUOUS => self.real = genz_kink(self.real, u, w, real([m, e])),
             integrand::DISCONTINUOUS => {
                 self.real = genz_linear(self.real, u, real([m, e]));

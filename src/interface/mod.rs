@@ -162,8 +162,14 @@ pub mod integrand {
     pub const DISCONTINUOUS: u32 = 11;
     /// Sobol's g.
     pub const SOBOL_G: u32 = 12;
+    /// Gaussian peak, by uniform points.
+    pub const PEAK_UNIFORM: u32 = 13;
+    /// By points of its normal distribution.
+    pub const PEAK_NORMAL: u32 = 14;
+    /// Keister's function.
+    pub const KEISTER: u32 = 15;
     /// Square of the sum of all coordinates.
-    pub const SQUARE_OF_SUM: u32 = 13;
+    pub const SQUARE_OF_SUM: u32 = 16;
 
     /// Irradiance of a map, by uniform directions.
     pub const IRRADIANCE_UNIFORM: u32 = 64;
@@ -192,6 +198,22 @@ pub mod integrand {
     pub const FURNACE_COSINE: u32 = 137;
     /// By visible normals.
     pub const FURNACE_VISIBLE: u32 = 138;
+    /// Edge in a circle of confusion, by points of a square.
+    pub const LENS_SQUARE: u32 = 140;
+    /// By the polar map.
+    pub const LENS_POLAR: u32 = 141;
+    /// By the concentric map.
+    pub const LENS_CONCENTRIC: u32 = 142;
+    /// Single scattering, by uniform distances and directions.
+    pub const SCATTERING_UNIFORM: u32 = 144;
+    /// By free flight and phase function.
+    pub const SCATTERING_PHASE: u32 = 145;
+    /// Sphere behind an edge, by uniform directions.
+    pub const SHADOW_UNIFORM: u32 = 148;
+    /// By cosine-weighted ones.
+    pub const SHADOW_COSINE: u32 = 149;
+    /// By those of the light.
+    pub const SHADOW_LIGHT: u32 = 150;
 }
 
 /// Values of the constant `KIND` of `pairs`.

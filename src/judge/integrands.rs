@@ -1,5 +1,6 @@
 //! The integrands in `f64`, from their formulas.
 
+use super::normal_quantile;
 use std::f64::consts::{PI, TAU};
 
 const UNIT: f64 = 1.0 / 4_294_967_296.0;
@@ -61,6 +62,11 @@ pub fn integrand(name: &str, values: &[f64], point: &[u32]) -> f64 {
             let term = |x: &f64| ((x - centre) / values[0]).powi(2);
             (-0.5 * x.iter().map(term).sum::<f64>()).exp()
         }
+        "dynamic-range" => 10f64.powf(-values[0] * x[0]),
+        "keister" => {
+            let squares = point.iter().map(|&u| normal_quantile(u).powi(2));
+            PI.powf(0.5 * d) * (0.5 * squares.sum::<f64>()).sqrt().cos()
+        }
         "sobol-g" => {
             let factor = |(j, x): (usize, &f64)| {
                 let a = values[0] * j as f64;
@@ -69,6 +75,25 @@ pub fn integrand(name: &str, values: &[f64], point: &[u32]) -> f64 {
             x.iter().enumerate().map(factor).product()
         }
         _ => f64::NAN,
+    }
+}
+
+/// The least and greatest of a Gaussian peak by points of its normal distribution: its
+/// integral over all of space for those in the cube, 0 beyond, both at its faces.
+#[must_use]
+pub fn normal_peak(sigma: f64, centre: f64, point: &[u32]) -> [f64; 2] {
+    let centre = (centre / UNIT).round() * UNIT;
+    let place = |&u: &u32| centre + sigma * normal_quantile(u);
+    // How far inside, of the coordinate that is the least so.
+    let depth = |x: f64| x.min(1.0 - x);
+    let least = point.iter().map(place).map(depth).fold(1.0, f64::min);
+    let whole = (sigma * TAU.sqrt()).powi(point.len() as i32);
+    // Coordinates have 29 bits or more.
+    let near = (1.0 + sigma) / f64::from(1 << 29);
+    match least {
+        inside if inside > near => [whole; 2],
+        outside if outside < -near => [0.0; 2],
+        _ => [0.0, whole],
     }
 }
 

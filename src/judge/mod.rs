@@ -13,6 +13,7 @@ pub mod lights;
 pub mod line;
 mod maps;
 mod normal;
+mod optics;
 pub mod planar;
 pub mod random;
 mod scattering;
@@ -27,7 +28,7 @@ pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, star
 pub use functions::{
     atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sobol_directions, sqrt,
 };
-pub use integrands::integrand;
+pub use integrands::{integrand, normal_peak};
 pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,
     uniform_hemisphere,

@@ -1,5 +1,6 @@
 //! Problems of rendering in `f64`, sample by sample.
 
+use super::optics;
 use super::spherical_triangle::{solid_angle, spherical_triangle};
 use super::{Ggx, cosine_hemisphere, uniform_hemisphere};
 use std::f64::consts::{PI, TAU};
@@ -59,7 +60,7 @@ pub fn scene(name: &str, estimator: &str, values: &[f64], u: [u32; 3]) -> [f64; 
             };
             [value; 2]
         }
-        _ => [f64::NAN; 2],
+        _ => optics::optics(name, estimator, values, u),
     }
 }
 

@@ -282,6 +282,44 @@ fn no_size_of_a_group_shows() {
     });
 }
 
+/// Tables and prepared words reach the kernel of every family of columns, whichever the
+/// technique.
+#[test]
+fn estimators_have_the_same_sums_of_every_family() {
+    const COUNT: u64 = 257;
+    let samplers = [
+        (Sequence::Halton, None),
+        (Sequence::Sobol, Some(Scramble::Owen)),
+        (Sequence::Random, None),
+        (Sequence::LatinHypercube, None),
+        (Sequence::Halton, Some(Scramble::Permute)),
+        (Sequence::Lattice, None),
+    ];
+    support::on_one_device(|device| {
+        for (text, estimator) in [
+            ("irradiance:map=tests/data/sunrise.exr,axis=-y", "mis"),
+            ("soft-shadow", "light"),
+        ] {
+            let problem = problem(text).with_estimator(estimator);
+            let problem = problem.unwrap_or_else(|error| panic!("{error}"));
+            for (sequence, scramble) in samplers {
+                let request = Request::new(&Options {
+                    dimensions: Some(problem.dimensions().into()),
+                    seed: (scramble.is_some() || sequence == Sequence::Random).then_some(3),
+                    scramble,
+                    fractions: true,
+                    ..Options::new(sequence, COUNT)
+                });
+                let request = request.unwrap_or_else(|error| panic!("{error}"));
+                let expected = bulk::estimate(&problem, &request, 0, COUNT).expect("sums");
+                let mut estimator = Estimator::new(device, &problem, &request).expect("one");
+                let got = estimator.run(0, COUNT, &mut |_| Ok(())).expect("sums").0;
+                assert_eq!(got, expected, "{text} {sequence:?}");
+            }
+        }
+    });
+}
+
 /// Sums of k^2 and k^4 for k below n, in units of 2^-(2 bits) and 2^-(4 bits).
 fn grid(bits: u32) -> (i128, U256) {
     let (n, m) = (1u128 << bits, (1u128 << bits) - 1);

@@ -4,7 +4,7 @@
 //! (2 j + 1) difficulty / d^2, and w_j = frac((j + 1) (sqrt(5) - 1) / 2) to 32 bits, for j
 //! from 0 on, so that results can be compared. The default difficulties are his for d = 10.
 
-use super::{Coefficients, Integrand, Parameter, real_words, unit, within};
+use super::{Coefficients, Integrand, Parameter, Setting, real_words, unit, within};
 use crate::interface::integrand;
 use crate::judge::normal_mass;
 use std::f64::consts::{PI, SQRT_2, TAU};
@@ -151,7 +151,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
     },
     Integrand {
         name: "gaussian-peak",
-        id: integrand::GAUSSIAN,
+        id: integrand::PEAK_UNIFORM,
         default_dimensions: 1,
         parameters: &[
             Parameter {
@@ -170,26 +170,18 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
                 summary: "its place along each axis",
             },
         ],
-        prepare: |s| {
-            let (values, d) = (s.values, s.dimensions);
-            let c = within(values, 0, 1e-6, 1.0)?.recip() / SQRT_2;
-            within(values, 1, 0.0, 0.999)?;
-            let [m, e] = real_words(c);
-            let columns = vec![[m, e, centre(values), 0]; d as usize];
-            dominant(
-                Ok(Coefficients::real([0; 4], columns, 1.0)),
-                gaussian_peak(values, d),
-            )
-        },
+        estimators: &["uniform", "normal"],
+        prepare: peak,
         truth: |s| gaussian_peak(s.values, s.dimensions),
         examples: &[
             (&[1e-3, 0.4], 1),
             (&[1e-6, 0.381_966_011_250_105], 1),
             (&[1e-6, 0.0], 1),
-            (&[1.0, 0.999], 64),
+            (&[1.0, 0.999], 3),
+            (&[0.3, 0.5], 16),
             (&[0.2, 0.5], 3),
         ],
-        summary: "nearly a delta",
+        summary: "nearly a delta; normal: by points of its normal distribution",
         formula: "exp(-sum of (x_j - centre)^2 / (2 sigma^2))",
         source: "the usual trap of uniform sampling",
         ..BASE
@@ -324,6 +316,28 @@ fn gaussian_peak(values: &[f64], dimensions: u32) -> f64 {
     let c = values[0].recip() / SQRT_2;
     let w = unit(centre(values));
     bell(c, c * w, c * (1.0 - w)).powi(dimensions as i32)
+}
+
+/// By uniform points 1 / (sqrt(2) sigma) for each dimension; by its own, sigma, and first
+/// of all the integral over all of space, which each point in the cube counts for.
+fn peak(s: &Setting) -> Checked {
+    let (values, d) = (s.values, s.dimensions);
+    let sigma = within(values, 0, 1e-6, 1.0)?;
+    within(values, 1, 0.0, 0.999)?;
+    let made = |head, width: f64, peak| {
+        let [m, e] = real_words(width);
+        let columns = vec![[m, e, centre(values), 0]; d as usize];
+        Coefficients::real(head, columns, peak)
+    };
+    let truth = gaussian_peak(values, d);
+    let whole = (sigma * TAU.sqrt()).powi(d as i32);
+    let [m, e] = real_words(whole);
+    let made = match s.estimator {
+        0 => made([0; 4], sigma.recip() / SQRT_2, 1.0),
+        // Its 32 bits may have been rounded upwards.
+        _ => made([m, e, 0, 0], sigma, whole * (1.0 + 1e-9)),
+    };
+    dominant(Ok(made), truth)
 }
 
 fn sobol_g(values: &[f64], dimensions: u32) -> Checked {

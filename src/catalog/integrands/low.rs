@@ -1,8 +1,9 @@
 //! Integrands of one to three dimensions, and checkerboards.
 
+use super::quadrature::tanh_sinh;
 use super::{Coefficients, Integrand, Parameter, real_words, within};
 use crate::interface::integrand;
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_4, LN_10, PI};
 
 /// What these integrands have in common.
 const BASE: Integrand = Integrand {
@@ -185,9 +186,74 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         source: "Ishigami and Homma 1990",
         ..BASE
     },
+    Integrand {
+        name: "dynamic-range",
+        id: integrand::CONTINUOUS,
+        parameters: &[DECADES],
+        prepare: |s| {
+            let [m, e] = real_words(within(s.values, 0, 0.1, 18.0)? * LN_10);
+            Ok(Coefficients::real([0; 4], vec![[m, e, 0, 0]], 1.0))
+        },
+        truth: |s| {
+            let rate = s.values[0] * LN_10;
+            -(-rate).exp_m1() / rate
+        },
+        error: 4e-9,
+        examples: &[(&[18.0], 1), (&[0.1], 1)],
+        summary: "values over many decades, of which floats lose most",
+        formula: "10^(-decades x)",
+        source: "the range between sunlight and starlight is about as wide",
+        ..BASE
+    },
+    Integrand {
+        name: "keister",
+        id: integrand::KEISTER,
+        dimensions: (1, 64),
+        default_dimensions: 8,
+        prepare: |s| {
+            let whole = PI.powf(0.5 * f64::from(s.dimensions));
+            let [m, e] = real_words(whole);
+            Ok(Coefficients::real([m, e, 0, 0], Vec::new(), whole))
+        },
+        truth: |s| keister(s.dimensions),
+        error: 4e-8,
+        examples: &[(&[], 1), (&[], 2), (&[], 8), (&[], 64)],
+        summary: "an oscillation over normal variables",
+        formula: "pi^(d/2) cos(sqrt(sum of z_j^2 / 2)), z_j the normal quantile of x_j",
+        source: "Keister 1996",
+        ..BASE
+    },
 ];
 
+/// Decades that the integrand falls.
+const DECADES: Parameter = Parameter {
+    name: "decades",
+    size: 1,
+    default: Some(&[18.0]),
+    domain: "it must be from 0.1 to 18",
+    summary: "powers of ten from x = 0 to 1",
+};
+
 const NOT_NEGATIVE: &str = "it must be from 0 to 1000";
+
+/// pi^(d/2) times the mean of cos r, for r of density proportional to r^(d-1) e^(-r^2).
+fn keister(dimensions: u32) -> f64 {
+    let d = f64::from(dimensions);
+    // Its largest value is 1: what is 7 from there is below 2^-64 of it.
+    let middle = (0.5 * (d - 1.0)).sqrt();
+    let density = |r: f64| {
+        let log = if d > 1.0 {
+            (d - 1.0) * (r / middle).ln()
+        } else {
+            0.0
+        };
+        (log - (r - middle) * (r + middle)).exp()
+    };
+    let pieces = (0..=(middle + 7.0) as u32).map(f64::from);
+    let integral =
+        |f: &dyn Fn(f64) -> f64| -> f64 { pieces.clone().map(|r| tanh_sinh(f, r, r + 1.0)).sum() };
+    PI.powf(0.5 * d) * integral(&|r| r.cos() * density(r)) / integral(&density)
+}
 
 /// Of an odd number k of cells one more is even than odd in each row: (1 + k^-d) / 2.
 fn checkerboard(values: &[f64], dimensions: u32) -> f64 {

@@ -15,6 +15,7 @@ mod genz;
 mod irradiance;
 mod light;
 mod low;
+mod optics;
 mod problem;
 mod quadrature;
 mod scenes;
@@ -157,6 +158,7 @@ pub fn integrands() -> impl Iterator<Item = &'static Integrand> {
         .chain(genz::INTEGRANDS)
         .chain(irradiance::INTEGRANDS)
         .chain(scenes::INTEGRANDS)
+        .chain(optics::INTEGRANDS)
 }
 
 /// The two words of x > 0 as a real: a significand of 32 bits, rounded, and an exponent.

@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 type Checked = core::result::Result<Coefficients, usize>;
 
 /// What these integrands have in common.
-const BASE: Integrand = Integrand {
+pub(super) const BASE: Integrand = Integrand {
     name: "",
     id: 0,
     dimensions: (2, 2),
@@ -139,7 +139,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
 ];
 
 /// Coefficients of the words that a kernel reads after the head.
-fn prepared(mut words: Vec<u32>, peak: f64) -> Coefficients {
+pub(super) fn prepared(mut words: Vec<u32>, peak: f64) -> Coefficients {
     words.resize(words.len().next_multiple_of(4), 0);
     let (columns, _) = words.as_chunks();
     // What rounded floats may add to a weight.

@@ -19,6 +19,9 @@ fn the_list_says_all_of_every_integrand() {
         for phrase in [integrand.summary, integrand.formula, integrand.source] {
             assert!(alone.contains(phrase), "{}: no `{phrase}`", integrand.name);
         }
+        for estimator in integrand.estimators {
+            assert!(alone.contains(estimator), "{alone}");
+        }
         for parameter in integrand.parameters {
             assert!(alone.contains(&format!("{}=X", parameter.name)), "{alone}");
             assert!(alone.contains(parameter.domain), "{alone}");
@@ -41,8 +44,11 @@ fn sums_are_the_same_everywhere() {
         "--integrand disk-step --sampler halton --count 20000 --start 123456",
         "--integrand genz-gaussian:d=3,difficulty=2 --sampler random --seed 5 --count 3000",
         "--integrand sobol-g:d=5 --sampler sobol:owen --seed 9 --count 1024",
+        "--integrand irradiance:map=tests/data/sunrise.exr,axis=+z --estimator environment --sampler sobol --count 4096",
+        "--integrand polygon-irradiance --estimator mis --sampler random --seed 2 --count 65536",
     ] {
-        let line = format!("estimate --json {line}");
+        let data = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
+        let line = format!("estimate --json {line}").replace("tests/data", data);
         let cpu = document(&desk, &format!("{line} --device cpu"));
         let device = document(&desk, &line);
         for key in [
@@ -90,6 +96,18 @@ fn estimates_that_cannot_be_made() {
         (
             "--integrand x-sqared --sampler sobol --count 8",
             &["did you mean `x-squared`"][..],
+        ),
+        (
+            "--integrand polygon-irradiance --estimator ligth --sampler sobol --count 8",
+            &["unknown estimator", "did you mean `light`"],
+        ),
+        (
+            "--integrand x-squared --estimator uniform --sampler sobol --count 8",
+            &["it has only one"],
+        ),
+        (
+            "--integrand irradiance --sampler sobol --count 8",
+            &["map is not given"],
         ),
         (
             "--integrand x-squared --sampler sobl --count 8",

@@ -1,4 +1,4 @@
-//! Exact sums, and the integrands.
+//! Exact sums, the integrands, and their estimators.
 
 use super::Killer::Mismatch;
 use super::{Mutant, mutant};
@@ -42,4 +42,24 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/genz.glsl", "c.y * u + corput_mulhi(c.x, u)", "corput_mulhi(c.x, u)"),
     mutant("the second coordinate of a step unseen", Mismatch, Estimate("genz-discontinuous"),
         "kernels/integrand.glsl", "state.word | uint(u >", "uint(u >"),
+    mutant("surfaces that face against an axis turned the other way", Mismatch, Estimate("irradiance"),
+        "corput/axis.glsl", "floatBitsToUint(along) ^ (axis << 31)", "floatBitsToUint(along)"),
+    mutant("light from below the surface", Mismatch, Estimate("irradiance"),
+        "corput/axis.glsl", "if (cosine.negative)", "if (false)"),
+    mutant("the sum of two pdfs for their mean", Mismatch, Estimate("irradiance"),
+        "corput/irradiance.glsl", "corput_real_divide(flow, corput_real_shift(both, -1))", "corput_real_divide(flow, both)"),
+    mutant("the luminance of another row", Mismatch, Estimate("irradiance"),
+        "corput/irradiance.glsl", "first + texel.y * size.x + texel.x", "first + texel.x"),
+    mutant("a side of the triangle unseen", Mismatch, Estimate("polygon-irradiance"),
+        "corput/lambert.glsl", " | uint(corput_real3_dot(t.ca_normal, d).negative)", ""),
+    mutant("visible normals from another direction", Mismatch, Estimate("ggx-furnace"),
+        "kernels/integrand_scene.glsl", "prepared_real3(i + 5u)", "prepared_real3(i + 2u)"),
+    mutant("flights that never leave the slab", Mismatch, Estimate("henyey-greenstein"),
+        "corput/single_scattering.glsl", "if (!corput_real_less(corput_real_negative_log(u.z), depth))", "if (false)"),
+    mutant("an edge that hides nothing of the light", Mismatch, Estimate("soft-shadow"),
+        "corput/soft_shadow.glsl", "if (corput_real3_dot(edge, d).negative)", "if (false)"),
+    mutant("points beyond the disk", Mismatch, Estimate("defocus-disk"),
+        "corput/defocus.glsl", "if (!corput_real_less(corput_real_add(corput_real_square(x), corput_real_square(y)), one))", "if (false)"),
+    mutant("a peak that reaches below 0", Mismatch, Estimate("gaussian-peak"),
+        "corput/keister.glsl", "uint(x.negative) | uint(", "uint("),
 ];

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use corput::bulk::{Columns, NearestWords, pair_kind_of};
 use corput::catalog::{
-    Engine, FUNCTIONS, Function, Integrand, Map, Options, Output, Problem, Profile, Request,
-    Sequence,
+    Engine, FUNCTIONS, Function, Integrand, Map, Options, Output, Profile, Request, Sequence,
+    examples,
 };
 use corput::check::{self, Case, NATIVE, Row, arguments};
 use corput::interface::{Column, Kernel};
@@ -107,7 +107,7 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
         Target::Map(name, task) => mapped(device, name, task, &words),
         Target::Estimate(name) | Target::EstimateTile(name) => {
             check::compare_estimates(integrand(name), &mut |problem, request| {
-                let plan = estimated(target, &request.columns);
+                let plan = estimated(target, problem.id(), &request.columns);
                 // Points of other families are another kernel's.
                 if plan.kernel.name != row(device, target).name {
                     return Ok(Vec::new());
@@ -163,10 +163,9 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         Target::Native(_) => named("evaluate_native"),
         Target::Map(name, _) => named(map(name).group.kernel(Profile::Exact)),
         Target::Estimate(name) | Target::EstimateTile(name) => {
-            let (values, dimensions) = integrand(name).examples[0];
-            let problem = Problem::with_values(integrand(name), values, dimensions);
-            let problem = problem.unwrap_or_else(|error| panic!("{error}"));
-            estimated(target, &sobol(problem.dimensions()).columns).kernel
+            let problems = examples(integrand(name)).unwrap_or_else(|error| panic!("{error}"));
+            let columns = sobol(problems[0].dimensions()).columns;
+            estimated(target, problems[0].id(), &columns).kernel
         }
         Target::Pairs => named("pairs"),
         Target::Nearest => named("nearest"),
@@ -242,10 +241,10 @@ fn sobol(dimensions: u32) -> Request {
     Request::new(&options).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn estimated(target: Target, columns: &[Column]) -> Plan {
+fn estimated(target: Target, id: u32, columns: &[Column]) -> Plan {
     match target {
-        Target::EstimateTile(name) => plan_estimate(columns, integrand(name).id, true),
-        Target::Estimate(name) => general_estimate(columns, integrand(name).id),
+        Target::EstimateTile(_) => plan_estimate(columns, id, true),
+        Target::Estimate(_) => general_estimate(columns, id),
         _ => unreachable!("only estimates"),
     }
 }
