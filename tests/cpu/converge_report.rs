@@ -2,6 +2,8 @@
 
 #[path = "converge_report/page.rs"]
 mod page;
+#[path = "converge_report/schema.rs"]
+mod schema;
 
 use corput::converge::{Analysis, Cell, Point, Results, Series, Setting, Statistic, Truth};
 use std::fs;
