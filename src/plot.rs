@@ -11,28 +11,35 @@
 //! common colour-vision deficiencies.
 
 mod axis;
+mod ends;
 mod gallery;
 mod labels;
 mod lines;
 mod numbers;
 mod pairs;
+mod palette;
 mod png;
 mod power;
+mod room;
 mod scatter;
 mod sheet;
 mod square;
 mod svg;
 mod text;
 mod tradeoff;
+mod work_precision;
 
 pub use gallery::{GalleryStyle, Panel, Points, gallery};
 pub use lines::{LinesStyle, Series, error_lines};
-pub use numbers::grouped;
+pub use numbers::{duration, grouped, scientific};
 pub use pairs::{MAX_DIMENSIONS, pairs_points};
+pub use palette::dark_rules;
 pub use png::to_png;
 pub use scatter::{ScatterStyle, points_and_directions, scatter, scatter_directions};
 pub use sheet::{SheetStyle, Stack, View, sheet};
+pub use svg::escape;
 pub use tradeoff::{Tradeoff, TradeoffStyle, tradeoff};
+pub use work_precision::{Curve, MAX_CURVES, Measured, Work, WorkPrecisionStyle, work_precision};
 
 use crate::error::{Error, Result};
 

@@ -11,10 +11,10 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// Dispatches that time a sampler which is not random: their points are all the same.
-const REPEATS: u32 = 9;
+pub(super) const REPEATS: u32 = 9;
 
 /// Counts up to here are summed on the CPU too, once each, and compared.
-const CHECKED: u64 = 1 << 12;
+pub(super) const CHECKED: u64 = 1 << 12;
 
 /// What one sampler gave.
 #[derive(Clone, Debug, PartialEq)]

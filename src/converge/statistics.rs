@@ -8,7 +8,7 @@ use crate::reference::random::random;
 use glam::UVec2;
 
 /// Resamples: their 25th from either end is the end of the interval.
-const RESAMPLES: u32 = 1000;
+pub(super) const RESAMPLES: u32 = 1000;
 
 /// A value and its 95 % interval.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,8 @@
 //! Lines on two logarithmic axes, each labelled at its end.
 
 use crate::error::Result;
-use crate::plot::axis::Axis;
+use crate::plot::axis::{Axis, guide};
+use crate::plot::ends::{End, spread};
 use crate::plot::refuse;
 use crate::plot::svg::{Anchor, BLUE, Canvas, FAINT, INK, QUIET, VERMILION};
 use crate::plot::text;
@@ -52,7 +53,6 @@ const LEFT: f64 = 78.0;
 const BOTTOM: f64 = 54.0;
 const LABEL_SIZE: f64 = 12.5;
 const LABEL_GAP: f64 = 18.0;
-const LABEL_STEP: f64 = 16.0;
 
 /// Error against work, both logarithmic, as SVG. Powers of two on the horizontal
 /// axis get ticks at powers of two, all else at powers of ten.
@@ -140,10 +140,10 @@ pub fn error_lines(series: &[Series], style: &LinesStyle<'_>) -> Result<String> 
     for (name, exponent) in style.slopes {
         if let Some(ends) = guide(origin, *exponent, &x, &y) {
             canvas.polyline(&ends, "#9a9a9a", 1.1, "5 4");
-            labels.push(Label {
+            labels.push(End {
                 name,
-                colour: QUIET,
-                end: ends[1],
+                mark: QUIET,
+                at: ends[1],
                 y: ends[1].1,
             });
         }
@@ -159,19 +159,19 @@ pub fn error_lines(series: &[Series], style: &LinesStyle<'_>) -> Result<String> 
             canvas.marker(*px, *py, index, colour);
         }
         if let Some(&end) = placed.last() {
-            labels.push(Label {
+            labels.push(End {
                 name,
-                colour,
-                end,
+                mark: colour,
+                at: end,
                 y: end.1,
             });
         }
     }
     spread(&mut labels, top + 6.0, top + height - 6.0);
-    for Label {
+    for End {
         name,
-        colour,
-        end,
+        mark,
+        at: end,
         y,
     } in labels
     {
@@ -179,7 +179,7 @@ pub fn error_lines(series: &[Series], style: &LinesStyle<'_>) -> Result<String> 
         if (y - end.1).abs() > 3.0 || at - end.0 > LABEL_GAP + 8.0 {
             canvas.line((end.0 + 6.0, end.1), (at - 4.0, y), "#b8b8b8", 0.8);
         }
-        canvas.text(at, y + 4.4, Anchor::Start, LABEL_SIZE, colour, name);
+        canvas.text(at, y + 4.4, Anchor::Start, LABEL_SIZE, mark, name);
     }
     Ok(canvas.finish())
 }
@@ -191,49 +191,4 @@ fn drawable(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .copied()
         .filter(|p| positive(p.0) && positive(p.1))
         .collect()
-}
-
-/// A line's name, where the line ends, and the height at which the name stands.
-struct Label<'a> {
-    name: &'a str,
-    colour: &'static str,
-    end: (f64, f64),
-    y: f64,
-}
-
-/// Moves labels apart, as little as one pass down and one up allow.
-fn spread(labels: &mut [Label<'_>], top: f64, bottom: f64) {
-    labels.sort_by(|a, b| a.y.total_cmp(&b.y));
-    let mut least = top;
-    for label in labels.iter_mut() {
-        label.y = label.y.max(least);
-        least = label.y + LABEL_STEP;
-    }
-    let mut most = bottom;
-    for label in labels.iter_mut().rev() {
-        label.y = label.y.min(most);
-        most = label.y - LABEL_STEP;
-    }
-}
-
-/// The power law through a point, from there to where it leaves the axes.
-fn guide(from: (f64, f64), exponent: f64, x: &Axis, y: &Axis) -> Option<[(f64, f64); 2]> {
-    let (start, level) = (from.0.log10(), from.1.log10());
-    let right = x.high;
-    let mut run = right - start;
-    let room = if exponent < 0.0 {
-        y.low - level
-    } else {
-        y.high - level
-    };
-    if exponent != 0.0 {
-        run = run.min(room / exponent);
-    }
-    let end = (start + run, level + exponent * run);
-    (run > 0.0 && run.is_finite()).then(|| {
-        [
-            (x.place(from.0), y.place(from.1)),
-            (x.place_log(end.0), y.place_log(end.1)),
-        ]
-    })
 }

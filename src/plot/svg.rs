@@ -1,5 +1,7 @@
 //! A page of SVG: the few shapes that the figures need.
 
+mod described;
+
 use crate::plot::square::Square;
 use std::fmt::Write;
 

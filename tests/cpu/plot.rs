@@ -10,6 +10,8 @@ mod shapes;
 mod sheet;
 #[path = "plot/tradeoff.rs"]
 mod tradeoff;
+#[path = "plot/work_precision.rs"]
+mod work_precision;
 
 use corput::Error;
 use corput::plot::{

@@ -30,6 +30,8 @@ mod plot;
 mod published;
 #[path = "cli/refused.rs"]
 mod refused;
+#[path = "cli/report.rs"]
+mod report;
 #[cfg(unix)]
 #[path = "cli/running.rs"]
 mod running;

@@ -1,0 +1,47 @@
+//! The page: one file without scripts, which asks for nothing outside it.
+
+use super::figures::Pair;
+use super::method::method;
+use super::section::section;
+use super::summary::summary;
+use super::words::escape;
+use crate::converge::{Results, Series};
+use crate::plot::dark_rules;
+
+/// Colours of the page, light and dark; figures have theirs in `plot::dark_rules`.
+const STYLE: &str = include_str!("page.css");
+
+/// The page of a study; `parts` are its integrands with their figures, in order.
+pub fn page(results: &Results, parts: &[(&str, Vec<&Series>, Vec<Pair>)]) -> String {
+    let setting = &results.setting;
+    let sections: String = parts
+        .iter()
+        .map(|(integrand, group, pairs)| section(integrand, group, pairs, &setting.targets))
+        .collect();
+    let failed = match results.not_finite() {
+        0 => String::new(),
+        1 => "<p class=\"failed\">1 mean is not finite: see its integrand.</p>\n".to_owned(),
+        many => {
+            format!("<p class=\"failed\">{many} means are not finite: see their integrands.</p>\n")
+        }
+    };
+    let names: Vec<&str> = parts.iter().map(|(name, ..)| *name).collect();
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
+         style-src 'unsafe-inline'; img-src data:\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n\
+         <link rel=\"icon\" href=\"data:,\">\n\
+         <title>Error against time: {names}</title>\n<style>\n{STYLE}\
+         @media (prefers-color-scheme: dark) {{\n{}}}\n</style>\n</head>\n<body>\n<main>\n\
+         <h1>Error against time</h1>\n<p>Measured by corput converge on {}.</p>\n{failed}\
+         <section id=\"summary\">\n<h2>What to use</h2>\n{}</section>\n{sections}{}</main>\n\
+         </body>\n</html>\n",
+        dark_rules(),
+        escape(&setting.device),
+        summary(results),
+        method(results),
+        names = escape(&names.join(", ")),
+    )
+}

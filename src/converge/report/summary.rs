@@ -1,0 +1,106 @@
+//! What to use, in sentences.
+
+use super::words::{escape, number, target as written, time};
+use crate::converge::{Results, Series, Standing, standings};
+use crate::plot::grouped;
+use std::fmt::Write;
+
+/// A list for each integrand, an item for each target.
+pub fn summary(results: &Results) -> String {
+    let mut text = String::new();
+    for (integrand, group) in results.by_integrand() {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "<h3>{}</h3>\n<ul>", escape(integrand));
+        for &target in &results.setting.targets {
+            let _ = writeln!(text, "<li>{}</li>", sentence(&group, target));
+        }
+        text += "</ul>\n";
+    }
+    if results.setting.targets.is_empty() {
+        text += "<p>The study asked for no target.</p>\n";
+    }
+    text
+}
+
+/// Who reaches a relative error first, and how all others do.
+fn sentence(group: &[&Series], target: f64) -> String {
+    let list = standings(group, target);
+    let missing: Vec<String> = group
+        .iter()
+        .filter(|one| !list.iter().any(|standing| same(standing.series, one)))
+        .map(|one| escape(&one.label()))
+        .collect();
+    let mut text = match list.first() {
+        None => format!(
+            "To {}: {} within the study.",
+            written(target),
+            match missing.as_slice() {
+                [one] => format!("{one} does not reach it"),
+                many => format!("none of {} reaches it", many.join(", ")),
+            }
+        ),
+        Some(best) => {
+            let mut clauses = vec![format!(
+                "To {} use <strong>{}</strong>: {} with {}",
+                written(target),
+                escape(&best.series.label()),
+                time(best.reached.seconds),
+                points(best.series, best.reached.count),
+            )];
+            let others = list.iter().skip(1);
+            let (ties, slower): (Vec<&Standing<'_>>, _) = others.partition(|one| one.tied);
+            clauses.extend(ties.iter().map(|one| {
+                let name = escape(&one.series.label());
+                format!("{name} ties")
+            }));
+            if !slower.is_empty() {
+                clauses.push(slowness(&slower));
+            }
+            if !missing.is_empty() {
+                let verb = if missing.len() == 1 { "does" } else { "do" };
+                clauses.push(format!("{} {verb} not reach it", missing.join(", ")));
+            }
+            clauses.join("; ") + "."
+        }
+    };
+    let floor = group.iter().map(|one| one.truth.floor() / one.scale());
+    let floor = floor.fold(0.0, f64::max);
+    if target < floor {
+        let _ = write!(
+            text,
+            " It is below the floor {}: what reaches it does so by chance.",
+            number(floor)
+        );
+    }
+    text
+}
+
+/// How many times slower each is: said in full of the first.
+fn slowness(list: &[&Standing<'_>]) -> String {
+    let each = list.iter().enumerate().map(|(place, one)| {
+        let name = escape(&one.series.label());
+        let times = match one.slower < 9.95 {
+            true => format!("{:.1} times", one.slower),
+            false => format!("{:.0} times", one.slower),
+        };
+        match place {
+            0 => format!("{name} is {times} slower"),
+            _ => format!("{name} {times}"),
+        }
+    });
+    each.collect::<Vec<_>>().join(", ")
+}
+
+fn same(one: &Series, other: &Series) -> bool {
+    one.sampler == other.sampler && one.estimator == other.estimator
+}
+
+/// A target that the fewest points reach may need fewer.
+fn points(series: &Series, count: f64) -> String {
+    let fewest = series.analysis.errors.first().map(|one| one.count as f64);
+    let text = grouped(count.round() as i64);
+    match fewest == Some(count) {
+        true => format!("{text} points or fewer"),
+        false => format!("about {text} points"),
+    }
+}

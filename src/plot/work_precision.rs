@@ -1,0 +1,290 @@
+//! Error against work: samplers with their intervals, the targets, and the floor.
+
+mod frame;
+mod level;
+
+use crate::error::Result;
+use crate::plot::axis::guide;
+use crate::plot::ends::{End, spread};
+use crate::plot::palette::{class, colour};
+use crate::plot::refuse;
+use crate::plot::room::Room;
+use crate::plot::svg::{Anchor, Canvas, INK, QUIET};
+use crate::plot::text;
+use frame::{Frame, LEFT};
+use level::levels;
+
+/// The most curves of a figure: as many as there are colours.
+pub const MAX_CURVES: usize = 8;
+
+/// An error that was measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// Points, or seconds.
+    pub work: f64,
+    /// The error; one that is not positive and finite is not drawn.
+    pub error: f64,
+    /// The ends of its interval.
+    pub low: f64,
+    /// The upper one.
+    pub high: f64,
+}
+
+/// Errors of rising work.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Stands at the curve's end.
+    pub name: String,
+    /// In the order to join them.
+    pub points: Vec<Measured>,
+    /// Whether there is one run only: dashed, without a band, and named so.
+    pub one_run: bool,
+    /// Which of the eight colours and markers.
+    pub hue: usize,
+}
+
+impl Curve {
+    fn label(&self) -> String {
+        match self.one_run {
+            true => format!("{} (one run)", self.name),
+            false => self.name.clone(),
+        }
+    }
+
+    /// The points with a place on logarithmic axes.
+    fn drawable(&self) -> impl Iterator<Item = &Measured> {
+        let positive = |value: f64| value.is_finite() && value > 0.0;
+        self.points
+            .iter()
+            .filter(move |one| positive(one.work) && positive(one.error))
+    }
+}
+
+/// What the work is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Work {
+    /// Numbers of points; with guides of slope -1/2, -1 and -3/2.
+    Points,
+    /// Seconds.
+    Seconds,
+}
+
+/// What such a figure has besides its curves.
+#[derive(Clone, Copy, Debug)]
+pub struct WorkPrecisionStyle<'a> {
+    /// For those who do not see it.
+    pub title: &'a str,
+    /// For them too: what the figure shows.
+    pub description: &'a str,
+    /// What the work is.
+    pub work: Work,
+    /// Left of the vertical axis.
+    pub y_label: &'a str,
+    /// Errors of interest.
+    pub targets: &'a [f64],
+    /// The error that no number of points removes; 0 of exact arithmetic.
+    pub floor: f64,
+    /// What the floor is called.
+    pub floor_name: &'a str,
+    /// Width and height of the axes in pixels, 160 to 4000.
+    pub size: [f64; 2],
+}
+
+impl Default for WorkPrecisionStyle<'_> {
+    fn default() -> Self {
+        Self {
+            title: "",
+            description: "",
+            work: Work::Points,
+            y_label: "relative error",
+            targets: &[],
+            floor: 0.0,
+            floor_name: "arithmetic floor",
+            size: [300.0, 290.0],
+        }
+    }
+}
+
+const LABEL_SIZE: f64 = 12.0;
+const LABEL_GAP: f64 = 12.0;
+/// From a name's marker to the name.
+const MARKER: f64 = 16.0;
+const SMALL: f64 = 10.5;
+/// Beyond so many decades below all errors the floor, and beyond all errors a target, has no
+/// place on the axis.
+const APART: f64 = 2.0;
+const GUIDES: [(&str, f64); 3] = [
+    ("slope −1/2", -0.5),
+    ("slope −1", -1.0),
+    ("slope −3/2", -1.5),
+];
+
+/// Error against work, both logarithmic, as SVG with a class for each curve
+/// ([`dark_rules`](super::dark_rules)). A floor far below all errors is drawn at the lower
+/// edge, with an arrow.
+///
+/// # Errors
+///
+/// [`Error::Arguments`](crate::Error::Arguments) if no point is positive and finite, for more
+/// than eight curves, or for a size out of its range.
+pub fn work_precision(curves: &[Curve], style: &WorkPrecisionStyle<'_>) -> Result<String> {
+    let [width, height] = style.size;
+    if !style.size.iter().all(|s| (160.0..=4000.0).contains(s)) {
+        return refuse(
+            format!("axes of {width} x {height} pixels"),
+            "a side has 160 to 4000 pixels",
+            "choose a size in that range",
+        );
+    }
+    if curves.len() > MAX_CURVES {
+        return refuse(
+            format!("a figure of {} curves", curves.len()),
+            "eight can be told apart",
+            "leave some out, and say so",
+        );
+    }
+    let curves: Vec<&Curve> = curves
+        .iter()
+        .filter(|curve| curve.drawable().next().is_some())
+        .collect();
+    if curves.is_empty() {
+        return refuse(
+            "a plot of errors".to_owned(),
+            "none is positive and finite",
+            "check what was measured",
+        );
+    }
+    let names: Vec<String> = curves.iter().map(|curve| curve.label()).collect();
+    let widest = names.iter().map(|name| text::width(name, LABEL_SIZE));
+    let names_width = widest.fold(0.0, f64::max);
+    let frame = Frame::new(&curves, style);
+
+    let mut canvas = Canvas::new(
+        LEFT + width + LABEL_GAP + MARKER + names_width + 8.0,
+        frame.bottom + 46.0,
+    );
+    frame.draw(&mut canvas, style);
+    for curve in &curves {
+        let (hue, class) = (curve.hue, class(curve.hue));
+        canvas.group(&class, |canvas| band(canvas, curve, &frame, colour(hue)));
+    }
+    let mut room = Room::default();
+    let ends: Vec<(f64, f64)> = curves
+        .iter()
+        .filter_map(|curve| line(&mut canvas, curve, &frame, &mut room))
+        .collect();
+    let levels = levels(style, &frame);
+    for level in &levels {
+        room.line(&[(LEFT, level.at), (LEFT + width, level.at)]);
+    }
+    guides(&mut canvas, &curves, style, &frame, &mut room);
+    for level in &levels {
+        level.draw(&mut canvas, width, &mut room);
+    }
+
+    let labels = names.iter().zip(&ends).zip(&curves);
+    let mut labels: Vec<End<'_, usize>> = labels
+        .map(|((name, &end), curve)| End {
+            name,
+            mark: curve.hue,
+            at: end,
+            y: end.1,
+        })
+        .collect();
+    spread(&mut labels, frame.top + 6.0, frame.bottom - 6.0);
+    for label in &labels {
+        name(&mut canvas, label, LEFT + width + LABEL_GAP);
+    }
+    Ok(canvas.finish_described(style.title, style.description))
+}
+
+/// The area between the ends of the intervals.
+fn band(canvas: &mut Canvas, curve: &Curve, frame: &Frame, colour: &str) {
+    if curve.one_run {
+        return;
+    }
+    let edge = |end: fn(&Measured) -> f64| {
+        let place = move |one: &Measured| frame.place(one.work, end(one).max(f64::MIN_POSITIVE));
+        curve.drawable().map(place).collect::<Vec<_>>()
+    };
+    let mut corners = edge(|one| one.low);
+    corners.extend(edge(|one| one.high).iter().rev());
+    canvas.band(&corners, colour);
+}
+
+/// The curve with its markers; its last point.
+fn line(canvas: &mut Canvas, curve: &Curve, frame: &Frame, room: &mut Room) -> Option<(f64, f64)> {
+    let placed: Vec<(f64, f64)> = curve
+        .drawable()
+        .map(|one| frame.place(one.work, one.error))
+        .collect();
+    let dash = if curve.one_run { "6 4" } else { "" };
+    canvas.group(&class(curve.hue), |canvas| {
+        canvas.polyline(&placed, colour(curve.hue), 1.7, dash);
+        for (x, y) in &placed {
+            canvas.marker(*x, *y, curve.hue, colour(curve.hue));
+        }
+    });
+    room.line(&placed);
+    placed.last().copied()
+}
+
+/// Power laws from the largest error of the fewest points.
+fn guides(
+    canvas: &mut Canvas,
+    curves: &[&Curve],
+    style: &WorkPrecisionStyle<'_>,
+    frame: &Frame,
+    room: &mut Room,
+) {
+    if style.work != Work::Points {
+        return;
+    }
+    let firsts = curves.iter().filter_map(|curve| curve.drawable().next());
+    let first = firsts.clone().map(|one| one.work).fold(f64::MAX, f64::min);
+    let worst = firsts.map(|one| one.error).fold(0.0, f64::max);
+    for (name, exponent) in GUIDES {
+        let Some(ends) = guide((first, worst), exponent, &frame.x, &frame.y) else {
+            continue;
+        };
+        room.line(&ends);
+        let words = text::width(name, SMALL);
+        // Beside the line, from its end back.
+        let [(x0, y0), (x1, y1)] = ends;
+        let along = (0..12).map(|step| 1.0 - 0.06 * f64::from(step));
+        let places: Vec<(f64, f64)> = along
+            .flat_map(|t| {
+                let (x, y) = (x0 + t * (x1 - x0), y0 + t * (y1 - y0));
+                [(x + 7.0, y - 2.0), (x - words - 7.0, y + 8.0)]
+            })
+            .filter(|(x, y)| x + words < LEFT + style.size[0] && *y < frame.bottom - 4.0)
+            .collect();
+        canvas.group("quiet", |canvas| {
+            canvas.polyline(&ends, "#9a9a9a", 1.0, "2 3");
+            if let Some((x, y)) = room.take(&places, [words, SMALL]) {
+                canvas.text(x, y, Anchor::Start, SMALL, QUIET, name);
+            }
+        });
+    }
+}
+
+/// A name beside the axes, with its marker, and a line from the curve's end where it is far.
+fn name(canvas: &mut Canvas, label: &End<'_, usize>, at: f64) {
+    let End {
+        name,
+        mark,
+        at: end,
+        y,
+    } = *label;
+    if (y - end.1).abs() > 3.0 || at - end.0 > LABEL_GAP + 8.0 {
+        canvas.group("grid", |canvas| {
+            canvas.line((end.0 + 6.0, end.1), (at - 1.0, y), "#b8b8b8", 0.8);
+        });
+    }
+    canvas.group(&class(mark), |canvas| {
+        canvas.marker(at + 6.0, y, mark, colour(mark));
+    });
+    canvas.group("ink", |canvas| {
+        canvas.text(at + MARKER, y + 4.3, Anchor::Start, LABEL_SIZE, INK, name);
+    });
+}
