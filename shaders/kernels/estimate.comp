@@ -77,9 +77,15 @@ CorputSum run_sum(uint index, uint count) {
     [[dont_unroll]] for (uint done = 0u; done < count; done += TILE) {
         Tile tile = tile_start(index + done);
         uint end = min(TILE, count - done);
-        [[dont_unroll]] for (uint k = 0u; k < end; k++) {
-            sum = corput_sum_add(sum, tile_term(tile, words));
-            tile = tile_next(tile);
+        [[dont_unroll]] for (uint k = 0u; k < end; k += SIDE_BY_SIDE) {
+            [[unroll]] for (uint j = 0u; j < SIDE_BY_SIDE; j++) {
+                CorputTerm term = tile_term(tile, words);
+                if (k + j >= end) {
+                    term = CorputTerm(uvec2(0u), false);
+                }
+                sum = corput_sum_add(sum, term);
+                tile = tile_next(tile);
+            }
         }
     }
     return sum;

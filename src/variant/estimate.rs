@@ -2,7 +2,7 @@
 
 use super::columns::longest_run;
 use super::plan::{Plan, family, kernel, tabled};
-use crate::interface::{Column, INTEGRANDS_OF_GROUP, Kernel};
+use crate::interface::{Column, INTEGRANDS_OF_GROUP, Kernel, NetScramble, integrand as id};
 
 /// Points that share what the general kernel loads for a dimension. More of them compile for
 /// longer, and gain little.
@@ -65,7 +65,24 @@ fn estimating(kernel: &'static Kernel, columns: &[Column], integrand: u32, tile:
     plan.set("TILE", tile);
     plan.set("DIMENSIONS", columns.len() as u32);
     plan.set("INTEGRAND", integrand);
+    plan.set("SIDE_BY_SIDE", side_by_side(columns, integrand));
     plan
+}
+
+/// Points that one turn of the loop over a tile adds: some where column and integrand take
+/// little more than the turn itself. Elsewhere they would only compile for longer. Tiles are
+/// multiples of it.
+fn side_by_side(columns: &[Column], integrand: u32) -> u32 {
+    let short = |column: &Column| match column {
+        Column::Reversed | Column::Lattice { .. } | Column::Additive { .. } => true,
+        Column::Sobol { scramble, .. } => *scramble != NetScramble::Owen,
+        _ => false,
+    };
+    let plain = [id::X_SQUARED, id::OFFSET, id::DISK_STEP, id::CHECKERBOARD];
+    match columns.len() {
+        1 | 2 if plain.contains(&integrand) && columns.iter().all(short) => 4,
+        _ => 1,
+    }
 }
 
 /// Points that an invocation may sum: llvmpipe ends its loops after 65,535 iterations in

@@ -40,9 +40,10 @@ pub struct Plan {
     /// Values of its specialization constants, for each dispatch that the points take:
     /// one, or one per four columns.
     pub specializations: Vec<Vec<(u32, u32)>>,
-    /// The table of columns that the general kernel reads.
+    /// The table of columns, for kernels that read one.
     pub table: Option<Vec<u32>>,
-    /// Points of an invocation; 0 for the general kernel, which makes four words.
+    /// Points of an invocation; 0 for the general kernel, which makes four words. Of estimates
+    /// those of a tile, of which an invocation sums some.
     pub tile: u32,
 }
 

@@ -87,6 +87,21 @@ fn a_wrong_row_is_seen() {
     for (i, row) in wrong.iter().enumerate() {
         assert_ne!(promised(row), facts, "mistake {i}");
     }
+    let estimate = row("estimate_tile_2_net");
+    let facts = reflected(&spirv("estimate_tile_2_net").expect("a module"));
+    let mut wrong = [estimate; 5];
+    wrong[0].shapes = 1;
+    wrong[1].shapes = 3;
+    wrong[2].columns = Some((Family::Net, 2));
+    wrong[3].bindings = edited(estimate.bindings, |binding| {
+        binding.element = Element::Rows(64);
+    });
+    wrong[4].bindings = edited(estimate.bindings, |binding| {
+        binding.element = Element::Uvec4;
+    });
+    for (i, row) in wrong.iter().enumerate() {
+        assert_ne!(promised(row), facts, "mistake {i} of an estimate");
+    }
     // From the other side: one other default in the module.
     let words = spirv("fused").expect("a module");
     let mut seen = 0;

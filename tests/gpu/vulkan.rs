@@ -10,7 +10,8 @@ use corput::Error;
 use corput::vulkan::ash::vk;
 use corput::vulkan::{
     Access, Buffer, DescriptorSet, Device, Instance, InstanceOptions, Pipeline,
-    PipelineDescription, Probe, ProbeGroup, ProbeSample, barrier, probe, record, select,
+    PipelineDescription, Probe, ProbeGroup, ProbeSample, UNIFORM_BYTES, barrier, probe, record,
+    select,
 };
 use support::{compile, on_each_device, pipeline, shader, words};
 
@@ -178,6 +179,44 @@ fn specialization_constants_arrive() {
             [u32::MAX, 1, 0x4049_0fdb]
         );
         assert_eq!(with(&[(0, 9), (99, 4)]), [9, 0, 0x3f00_0000]);
+    });
+}
+
+#[test]
+fn uniform_blocks_are_read_and_may_not_be_long() {
+    let spirv = shader(
+        &format!(
+            "{OUT} layout(std140, set = 0, binding = 1) uniform Block {{ uvec4 rows[1024]; }};"
+        ),
+        "o[i] = rows[1023u - i][i & 3u];",
+    );
+    on_each_device(|device| {
+        let description = PipelineDescription {
+            name: "uniform",
+            spirv: &spirv,
+            bindings: &[0, 1],
+            push_constant_bytes: 0,
+            specialization: &[],
+        };
+        let pipeline = Pipeline::with_uniforms(device, &description, &[1]).unwrap();
+        let mut out = Buffer::new(device, 256, Access::Readback).unwrap();
+        let mut block = Buffer::new(device, UNIFORM_BYTES, Access::Upload).unwrap();
+        let bytes: Vec<u8> = (0..UNIFORM_BYTES as u32 / 4)
+            .flat_map(u32::to_ne_bytes)
+            .collect();
+        block.write(0, &bytes).unwrap();
+        let buffers = [(0, &out), (1, &block)];
+        device.run(&pipeline, &buffers, &[], 1).unwrap();
+        // The same by a set of its own.
+        DescriptorSet::of(device, &pipeline, &buffers).unwrap();
+        let expected: Vec<u32> = (0..64).map(|i| 4 * (1023 - i) + (i & 3)).collect();
+        assert_eq!(out.read(0, 256, words).unwrap(), expected);
+
+        let long = Buffer::new(device, UNIFORM_BYTES + 16, Access::Upload).unwrap();
+        let buffers = [(0, &out), (1, &long)];
+        let error = device.run(&pipeline, &buffers, &[], 1).unwrap_err();
+        assert!(matches!(error, Error::Shader { .. }), "{error}");
+        assert!(DescriptorSet::of(device, &pipeline, &buffers).is_err());
     });
 }
 

@@ -87,6 +87,13 @@ pub(super) const INTEGRAND: Constant = Constant {
     default: integrand::X_SQUARED,
 };
 
+/// Points that one turn of a loop adds: turns cost some drivers dear.
+pub(super) const SIDE_BY_SIDE: Constant = Constant {
+    id: 14,
+    name: "SIDE_BY_SIDE",
+    default: 1,
+};
+
 pub(super) const RESULTS: Binding = Binding {
     binding: 0,
     name: "results",

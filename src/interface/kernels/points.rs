@@ -3,7 +3,7 @@
 use super::super::{FAMILIES, Family, Kernel, Profile};
 use super::constants::{
     COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, FEW_COLUMNS, INTEGRAND, MAP, OUTPUT,
-    PART, RESULTS, ROW, TABLES, TILE, WITH_PDF, WORK,
+    PART, RESULTS, ROW, SIDE_BY_SIDE, TABLES, TILE, WITH_PDF, WORK,
 };
 
 /// The kernels of a family that make points: the general one, tiles of one to four
@@ -139,7 +139,7 @@ const fn estimates() -> Kernel {
         source: "estimate.comp",
         push: ESTIMATE,
         bindings: &[RESULTS, FEW_COLUMNS, COEFFICIENTS],
-        constants: &[DIMENSIONS, TILE, INTEGRAND],
+        constants: &[DIMENSIONS, TILE, INTEGRAND, SIDE_BY_SIDE],
         ..points()
     }
 }
