@@ -1,7 +1,6 @@
 //! The irradiance of an environment map in `f64`, sample by sample.
 
-use super::{cosine_hemisphere, uniform_hemisphere};
-use crate::judge::environment::EnvironmentTables;
+use super::{EnvironmentTables, cosine_hemisphere, uniform_hemisphere};
 use std::f64::consts::{PI, TAU};
 
 /// A surface under a map.

@@ -25,6 +25,7 @@ mod transcendental;
 mod wide;
 
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
+pub use environment::EnvironmentTables;
 pub use functions::{
     atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sobol_directions, sqrt,
 };
