@@ -44,7 +44,9 @@ impl Truth {
     ) -> Result<Self> {
         let arithmetic = floor(&row.problem).total();
         if let Some(value) = row.problem.known_truth() {
-            return Ok(Self::stated(value, arithmetic));
+            // Means are rounded to `f64`.
+            let rounding = f64::EPSILON * value.abs();
+            return Ok(Self::stated(value, arithmetic + rounding));
         }
         let most = study.counts().iter().copied().max().unwrap_or(1);
         let count = most.saturating_mul(MORE).min(1 << 32);

@@ -184,7 +184,9 @@ fn means_have_no_bias() {
             for one in results(&study).series {
                 let at = one.analysis.errors[0];
                 let allowed = 4.0 * at.bias_error + one.truth.floor();
-                assert!(at.bias_error > 0.0, "{name}, {}", one.label());
+                // Drawn by the peak itself, every term is the integral.
+                let varies = at.bias_error > 0.0 || name == "gaussian-peak";
+                assert!(varies, "{name}, {}", one.label());
                 assert!(
                     at.bias.abs() <= allowed,
                     "{name}, {}: {} of {allowed}",
