@@ -28,7 +28,7 @@ fn sentence(group: &[&Series], target: f64) -> String {
     let missing: Vec<String> = group
         .iter()
         .filter(|one| !list.iter().any(|standing| same(standing.series, one)))
-        .map(|one| escape(&one.label()))
+        .map(|one| name(one))
         .collect();
     let mut text = match list.first() {
         None => format!(
@@ -43,14 +43,14 @@ fn sentence(group: &[&Series], target: f64) -> String {
             let mut clauses = vec![format!(
                 "To {} use <strong>{}</strong>: {} with {}",
                 written(target),
-                escape(&best.series.label()),
+                name(best.series),
                 time(best.reached.seconds),
                 points(best.series, best.reached.count),
             )];
             let others = list.iter().skip(1);
             let (ties, slower): (Vec<&Standing<'_>>, _) = others.partition(|one| one.tied);
             clauses.extend(ties.iter().map(|one| {
-                let name = escape(&one.series.label());
+                let name = name(one.series);
                 format!("{name} ties")
             }));
             if !slower.is_empty() {
@@ -78,7 +78,7 @@ fn sentence(group: &[&Series], target: f64) -> String {
 /// How many times slower each is: said in full of the first.
 fn slowness(list: &[&Standing<'_>]) -> String {
     let each = list.iter().enumerate().map(|(place, one)| {
-        let name = escape(&one.series.label());
+        let name = name(one.series);
         let times = match one.slower < 9.95 {
             true => format!("{:.1} times", one.slower),
             false => format!("{:.0} times", one.slower),
@@ -89,6 +89,14 @@ fn slowness(list: &[&Standing<'_>]) -> String {
         }
     });
     each.collect::<Vec<_>>().join(", ")
+}
+
+/// The sampler with its estimator: without a comma, since names stand in lists.
+fn name(series: &Series) -> String {
+    match series.estimator {
+        None => escape(&series.sampler),
+        Some(estimator) => escape(&format!("{} with {estimator}", series.sampler)),
+    }
 }
 
 fn same(one: &Series, other: &Series) -> bool {

@@ -171,7 +171,7 @@ fn estimators_have_a_pair_each_and_one_of_the_best() {
     assert!(!best.contains("random"), "not the best of its estimator");
     says(
         summary(&page_of(&estimators())),
-        &["<strong>sobol:owen, mis</strong>"],
+        &["<strong>sobol:owen with mis</strong>"],
     );
 }
 
