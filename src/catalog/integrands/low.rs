@@ -175,9 +175,6 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
             let head = [a_m, a_e, b_m, b_e];
             Ok(Coefficients::real(head, Vec::new(), 1.0 + a + b * PI_4))
         },
-        finite_variance: true,
-        estimators: &[],
-        needs_map: false,
         truth: |s| s.values[0] / 2.0,
         error: 1e-8,
         examples: &[(&[7.0, 0.1], 3), (&[0.0, 0.0], 3), (&[1000.0, 1000.0], 3)],

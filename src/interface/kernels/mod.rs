@@ -288,7 +288,7 @@ const MAPS_END: usize = EVALUATED + MAPPERS.len();
 
 const COUNT: usize = MAPS_END + OTHERS.len();
 
-const ALL: [Kernel; COUNT] = {
+static ALL: [Kernel; COUNT] = {
     let mut all = [points(); COUNT];
     let mut at = 0;
     while at < COUNT {
