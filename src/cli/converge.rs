@@ -305,16 +305,27 @@ fn verdict(group: &[&Series], target: f64) -> String {
         return format!("  to {target:.0e}: none reaches it within the study");
     };
     let others = list.iter().skip(1).map(|one| match one.tied {
-        true => format!("{} ties", one.series.label()),
-        false => format!("{} {:.1} x slower", one.series.label(), one.slower),
+        true => format!("{} ties", name(one.series)),
+        false => format!("{} {:.1} x slower", name(one.series), one.slower),
     });
     let others: Vec<String> = others.collect();
     format!(
         "  to {target:.0e}: use {}; {}",
-        best.series.label(),
+        name(best.series),
         match others.is_empty() {
             true => "no other reaches it".to_owned(),
             false => others.join(", "),
         }
     )
+}
+
+/// A series without a comma, since names stand in lists, and whether a single run speaks
+/// for it.
+fn name(series: &Series) -> String {
+    let run = if series.analysis.random {
+        ""
+    } else {
+        " (one run)"
+    };
+    format!("{}{run}", series.label().replace(", ", " with "))
 }

@@ -75,11 +75,16 @@ impl<'a> Hues<'a> {
     }
 }
 
-/// The series with the least error at its largest count.
+/// The series with the least error at its largest count, of random samplers if there are any:
+/// a single run may be lucky.
 fn best<'a>(group: &[&'a Series]) -> Option<&'a Series> {
-    let finite = group.iter().filter(|one| last(one).is_finite());
-    finite
-        .min_by(|a, b| last(a).total_cmp(&last(b)))
+    let least = |random: bool| {
+        let wanted = |one: &&&Series| one.analysis.random == random && last(one).is_finite();
+        let kept = group.iter().filter(wanted);
+        kept.min_by(|a, b| last(a).total_cmp(&last(b)))
+    };
+    least(true)
+        .or_else(|| least(false))
         .or(group.first())
         .copied()
 }

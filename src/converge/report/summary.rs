@@ -91,12 +91,17 @@ fn slowness(list: &[&Standing<'_>]) -> String {
     each.collect::<Vec<_>>().join(", ")
 }
 
-/// The sampler with its estimator: without a comma, since names stand in lists.
+/// The sampler with its estimator, and whether a single run speaks for it: without a comma,
+/// since names stand in lists.
 fn name(series: &Series) -> String {
-    match series.estimator {
-        None => escape(&series.sampler),
-        Some(estimator) => escape(&format!("{} with {estimator}", series.sampler)),
+    let mut text = series.sampler.clone();
+    if let Some(estimator) = series.estimator {
+        text += &format!(" with {estimator}");
     }
+    if !series.analysis.random {
+        text += " (one run)";
+    }
+    escape(&text)
 }
 
 fn same(one: &Series, other: &Series) -> bool {
