@@ -11,6 +11,8 @@
 //! - [`mod@environment`]: environment maps as distributions of directions.
 //! - [`mod@estimate`]: exact sums of integrands over points, [`bulk::estimate`] on the CPU,
 //!   `kernels::Estimator` on a device.
+//! - `converge`: error against run time, of samplers on integrands in replicates; `accuracy`:
+//!   errors of functions against their cost.
 //! - [`blue_noise`]: dither masks and point sets that are made once.
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
