@@ -50,7 +50,7 @@ fn the_summary_names_every_target_and_sampler() {
         &[
             "To 1e-2 use <strong>halton (one run)</strong>: 640 µs with about 320 points; random does not \
              reach it.",
-            "To 1e-5: none of random, halton reaches it within the study.",
+            "To 1e-5: none of random, halton (one run) reaches it within the study.",
         ],
     );
     says(
