@@ -1,7 +1,7 @@
 //! Studies on the CPU's reference, whose sums are those of every device: the rates of the
 //! theory, means without bias, and what a study keeps.
 
-use corput::catalog::{Problem, SEQUENCES, Sampler, Scramble, integrands};
+use corput::catalog::{Integrand, Problem, SEQUENCES, Sampler, Scramble, integrands};
 use corput::converge::{self, Engine, Kept, Results, Row, Setting, Settings, Study, fit};
 
 fn sampler(name: &str) -> Sampler {
@@ -206,6 +206,40 @@ fn a_bias_is_found() {
     let found = results(&study(vec![row("x-squared", &["sobol"])], [1024, 1024], 8));
     let at = found.series[0].analysis.errors[0];
     assert!(at.bias.abs() > 4.0 * at.bias_error + found.series[0].truth.floor());
+}
+
+/// x^2 as if no one knew its integral: a larger reference stands in, with its interval.
+static UNKNOWN: std::sync::LazyLock<Integrand> = std::sync::LazyLock::new(|| Integrand {
+    truth: |_| f64::NAN,
+    ..*Integrand::from_name("x-squared").unwrap_or_else(|error| panic!("{error}"))
+});
+
+#[test]
+fn a_missing_truth_is_measured_and_said() {
+    let row = Row {
+        name: "unknown".into(),
+        problem: Problem::new(&UNKNOWN, &[]).unwrap(),
+        samplers: vec![sampler("random"), sampler("sobol:owen")],
+    };
+    let found = results(&study(vec![row], [16, 1024], 16));
+    for series in &found.series {
+        let truth = series.truth;
+        let uncertainty = truth.uncertainty.expect("a measured reference");
+        assert!(
+            uncertainty > 0.0 && truth.floor() > uncertainty,
+            "{truth:?}"
+        );
+        // 1.96 standard errors of 16 means: of twice as many, nearly all.
+        assert!(
+            (truth.value - 1.0 / 3.0).abs() < 2.0 * truth.floor(),
+            "{truth:?}"
+        );
+    }
+    let document = found.document();
+    assert!(document["series"][0]["truth_uncertainty"].is_f64());
+    // Errors near the reference's own are not fitted.
+    let owen = &found.series[1].analysis;
+    assert!(owen.errors.iter().any(|one| one.above_floor));
 }
 
 #[test]
