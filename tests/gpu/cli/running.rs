@@ -218,3 +218,47 @@ fn a_closed_pipe_is_an_error_without_a_panic() {
     drop(running.0.stdout.take());
     assert_eq!(running.end(), (Some(4), String::new()));
 }
+
+/// The rows of a study's table without its times, which are the last four columns.
+fn errors_of(desk: &Desk, folder: &str) -> Vec<String> {
+    let text = String::from_utf8(desk.bytes(&format!("{folder}/results.csv"))).unwrap();
+    let line = |line: &str| line.rsplitn(5, ',').last().unwrap_or("").to_owned();
+    text.lines().map(line).collect()
+}
+
+#[test]
+fn an_interrupted_study_goes_on() {
+    let desk = Desk::new();
+    let study = |folder: &str| {
+        format!(
+            "converge --integrand x-squared --integrand genz-gaussian:d=8 --max-count 32768 \
+             --sampler random,halton,sobol:owen-hash --replicates 8 --device cpu --report {folder}"
+        )
+    };
+    let running = Running::start(&desk, &study("out"));
+    let cells = desk.path("out/unfinished.jsonl");
+    let lines = || std::fs::read_to_string(&cells).map_or(0, |text| text.lines().count());
+    let start = Instant::now();
+    while lines() == 0 {
+        assert!(
+            start.elapsed() < Duration::from_secs(60),
+            "no finished cell"
+        );
+        sleep(Duration::from_millis(5));
+    }
+    running.signal("INT");
+    let (code, text) = running.end();
+    assert_eq!(code, Some(4), "{text}");
+    assert!(
+        text.contains("the same command goes on from there"),
+        "{text}"
+    );
+    assert_eq!(desk.names(), ["out"]);
+    let kept = lines();
+    assert!((1..6).contains(&kept), "{kept} cells of 6");
+
+    desk.run(&study("out")).expect(0, &["report.html"]);
+    assert!(!cells.exists());
+    desk.run(&study("whole")).expect(0, &["report.html"]);
+    assert_eq!(errors_of(&desk, "out"), errors_of(&desk, "whole"));
+}
