@@ -2,6 +2,7 @@
 
 use super::document::{About, figure, floor, millions};
 use super::{Accuracy, Comparison};
+use crate::plot::escape;
 use std::fmt::Write;
 
 const HEAD: &str = r##"<!DOCTYPE html>
@@ -131,10 +132,4 @@ fn cells(one: &Accuracy) -> String {
 
 fn percent(share: f64) -> String {
     format!("{:.0} %", 100.0 * share)
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
 }
