@@ -30,6 +30,8 @@ pub type Sums<'a> = &'a mut dyn FnMut(&Problem, &Request) -> Result<Vec<Estimate
 /// long, by tiles for few dimensions and by the general kernel for many.
 pub fn check(device: &Arc<Device>, integrand: &'static Integrand) -> Result<Row> {
     let every = EVERYWHERE.contains(&integrand.id);
+    // Pipelines, of which one serves all parameters and seeds.
+    let mut made: Vec<(Specialized, Estimator)> = Vec::new();
     compare_estimates(integrand, &mut |problem, request| {
         let columns = &request.columns;
         let (few, id) = (columns.len() <= 4, problem.id());
@@ -45,13 +47,27 @@ pub fn check(device: &Arc<Device>, integrand: &'static Integrand) -> Result<Row>
             plans.push(tile(false));
         }
         let sums = plans.into_iter().map(|plan| {
-            let words = spirv(plan.kernel.name)?;
-            let mut estimator = Estimator::with_module(device, problem, request, plan, &words)?;
+            let key = (plan.kernel.name, plan.specializations.clone());
+            let estimator = match made.iter().position(|(one, _)| *one == key) {
+                Some(place) => &mut made[place].1,
+                None => {
+                    let words = spirv(plan.kernel.name)?;
+                    let new = Estimator::with_module(device, problem, request, plan, &words)?;
+                    made.push((key, new));
+                    let last = made.len() - 1;
+                    &mut made[last].1
+                }
+            };
+            estimator.set_problem(problem)?;
+            estimator.set_request(request)?;
             Ok(estimator.run(0, request.count, &mut |_| Ok(()))?.0)
         });
         sums.collect()
     })
 }
+
+/// The name of a kernel, and the values of its constants.
+type Specialized = (&'static str, Vec<Vec<(u32, u32)>>);
 
 /// Compares sums of the caller's with the CPU's, and judges the CPU's terms.
 ///

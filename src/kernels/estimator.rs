@@ -94,10 +94,7 @@ impl Estimator {
                 .map(|words| block(device, plan.kernel, 1, words))
                 .transpose()?,
             coefficients: block(device, plan.kernel, 2, &problem.words())?,
-            tables: match problem.tables() {
-                [] => None,
-                words => Some(table(device, words)?),
-            },
+            tables: bulk_words(device, problem)?,
             first: request.first,
             count: request.count,
             longest: longest_estimate(&request.columns, problem.id()),
@@ -130,6 +127,29 @@ impl Estimator {
         self.plan = plan;
         self.longest = longest_estimate(&request.columns, self.problem.id());
         (self.first, self.count) = (request.first, request.count);
+        Ok(())
+    }
+
+    /// Takes other parameters of the same integrand, by the same of its estimators and in as many
+    /// dimensions, without compiling anything. The request stays.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`] for what is not of that kind, which leaves everything as it was, and
+    /// those of the device.
+    pub fn set_problem(&mut self, problem: &Problem) -> Result<()> {
+        let of = |one: &Problem| (one.id(), one.dimensions());
+        if of(problem) != of(&self.problem) {
+            return Err(Error::Arguments {
+                asked: format!("{} by an estimator", problem.integrand().name),
+                limit: format!("it was compiled for {}", self.problem.integrand().name),
+                remedy: "keep to its integrand, estimator and dimensions, or make another".into(),
+            });
+        }
+        let tables = bulk_words(&self.device, problem)?;
+        self.coefficients
+            .write(0, bytemuck::cast_slice(&problem.words()))?;
+        self.tables = tables;
+        self.problem = problem.clone();
         Ok(())
     }
 
@@ -259,6 +279,14 @@ impl Estimator {
         let ideal = points as f64 * (TARGET_NS / spent).min(GROWTH);
         let most = (self.limit * u64::from(self.longest)).min(u64::from(u32::MAX >> 1));
         self.chunk = (ideal as u64).clamp(1 << 10, most);
+    }
+}
+
+/// What a problem tells its kernel in bulk.
+fn bulk_words(device: &Arc<Device>, problem: &Problem) -> Result<Option<Buffer>> {
+    match problem.tables() {
+        [] => Ok(None),
+        words => table(device, words).map(Some),
     }
 }
 

@@ -394,6 +394,7 @@ fn what_does_not_fit_is_refused() {
         let request = points(&line, None, 5, 100);
         assert!(Estimator::new(device, &disk, &request).is_err());
         let mut estimator = Estimator::new(device, &line, &request).expect("an estimator");
+        assert!(estimator.set_problem(&disk).is_err());
         let longest = estimator.longest_run();
         for (start, count, run) in [
             (0, 101, 1),
