@@ -271,26 +271,15 @@ fn a_study_that_was_cut_off_ends_with_the_same_errors() {
         let lines = std::fs::read_to_string(&path).unwrap().lines().count() as u64;
         assert_eq!(lines, most);
     }
-    let mut kept = Kept::open(&path).unwrap();
-    let resumed = converge::run(
-        &Engine::Cpu,
-        &study,
-        setting(),
-        Some(&mut kept),
-        &mut |_, _, _| Ok(()),
-    )
-    .unwrap();
+    let goes_on = || {
+        let mut kept = Kept::open(&path).unwrap();
+        let watch = &mut |_: &str, _, _| Ok(());
+        converge::run(&Engine::Cpu, &study, setting(), Some(&mut kept), watch).unwrap()
+    };
+    let resumed = goes_on();
     assert_eq!(without_times(&resumed), without_times(&whole));
     // And all that is kept is the same, times included.
-    let mut kept = Kept::open(&path).unwrap();
-    let again = converge::run(
-        &Engine::Cpu,
-        &study,
-        setting(),
-        Some(&mut kept),
-        &mut |_, _, _| Ok(()),
-    )
-    .unwrap();
+    let again = goes_on();
     assert_eq!(again.document(), resumed.document());
 }
 
