@@ -7,6 +7,7 @@ use crate::reference::hammersley::hammersley;
 use crate::reference::hemisphere::cosine_hemisphere;
 use crate::reference::radical_inverse::van_der_corput;
 use glam::uvec2;
+use std::panic::resume_unwind;
 
 /// A map as the estimator reads it.
 #[derive(Clone, Copy, Debug)]
@@ -48,8 +49,9 @@ pub fn irradiance_sum(map: RadianceMap, axis: u32, count: u32, scale: u32) -> [u
             .map(|part| scope.spawn(move || partial(map, axis, (part, threads, count), scale)))
             .collect();
         for part in parts {
-            // A thread that panicked would have been a bug in the reference.
-            for (sum, add) in sums.iter_mut().zip(part.join().unwrap_or([0; 3])) {
+            // A panic of a thread is a bug, and one here too.
+            let part = part.join().unwrap_or_else(|panic| resume_unwind(panic));
+            for (sum, add) in sums.iter_mut().zip(part) {
                 *sum += add;
             }
         }

@@ -8,6 +8,7 @@
 
 use super::{Progress, threads};
 use crate::error::Result;
+use std::panic::resume_unwind;
 
 /// Distinct abscissas of a piece of work.
 const PIECE: usize = 512;
@@ -44,8 +45,11 @@ pub fn star_2d(points: &[[f64; 2]], progress: Progress) -> Result<f64> {
             let work = |starts| scope.spawn(move || sweep(sorted, starts));
             let running: Vec<_> = some.iter().map(|piece| work(*piece)).collect();
             for one in running {
-                // A thread that panicked would have been a bug here; a NaN shows it.
-                worst = larger(worst, one.join().unwrap_or(f64::NAN));
+                // A panic of a thread is a bug, and one here too.
+                worst = larger(
+                    worst,
+                    one.join().unwrap_or_else(|panic| resume_unwind(panic)),
+                );
             }
         });
         done += some.iter().map(|piece| piece.len()).sum::<usize>();
