@@ -3,7 +3,7 @@
 mod support;
 
 use corput::bulk;
-use corput::catalog::{Options, Problem, Request, Scramble, Sequence};
+use corput::catalog::{Options, Problem, Request, Sampler, Scramble, Sequence};
 use corput::compile;
 use corput::estimate::{Estimate, U256};
 use corput::headers;
@@ -279,6 +279,39 @@ fn no_size_of_a_group_shows() {
                 assert_eq!(got, expected, "{text}, groups of {size}");
             }
         }
+    });
+}
+
+/// A driver that compiles a kernel again for what a uniform block holds takes 30 times as
+/// long for a few points; how long it takes otherwise differs by a factor of 4.
+#[test]
+fn no_dispatch_compiles_again() {
+    const TURNS: u64 = 33;
+    let samplers = ["random", "stratified", "latin-hypercube", "halton:permute"];
+    support::on_one_device(|device| {
+        let problem = problem("x-squared");
+        let request = |name: &str, seed| {
+            let sampler = Sampler::parse(name).expect("a sampler");
+            sampler.request(1, 16, seed).expect("its points")
+        };
+        let new = |name| Estimator::new(device, &problem, &request(name, 0)).expect("one");
+        let mut estimators = samplers.map(new);
+        let mut times = [const { Vec::new() }; 4];
+        for turn in 0..TURNS {
+            for ((name, one), times) in samplers.iter().zip(&mut estimators).zip(&mut times) {
+                one.set_request(&request(name, turn)).expect("its shape");
+                let timing = one.run(0, 16, &mut |_| Ok(())).expect("sums").1;
+                times.push(timing.device_ns.unwrap_or(timing.host_ns));
+            }
+        }
+        let [random, others @ ..] = times.map(|mut times| {
+            times.sort_by(f64::total_cmp);
+            times[times.len() / 2]
+        });
+        assert!(
+            others.iter().all(|&ns| ns < 12.0 * random),
+            "{random} {others:?}"
+        );
     });
 }
 
