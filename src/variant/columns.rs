@@ -140,6 +140,10 @@ fn net(dimension: u32, gray: bool, scramble: NetScramble, seed: [u32; 2]) -> Vec
     if scramble == NetScramble::Matrix {
         directions = directions.map(|v| matrix_scramble(v, dimension, seed));
     }
+    // The hash takes its digits in reverse order, which is linear too.
+    if scramble == NetScramble::OwenHash {
+        directions = directions.map(u32::reverse_bits);
+    }
     let kind = match scramble {
         NetScramble::None | NetScramble::Shift | NetScramble::Matrix => column_kind::SOBOL,
         NetScramble::Owen => column_kind::SOBOL_OWEN,
