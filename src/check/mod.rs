@@ -22,6 +22,7 @@ mod random;
 mod real;
 mod rows;
 mod strata;
+mod tasks;
 mod transcendental;
 
 pub use blue_noise::compare_mask;
@@ -40,6 +41,7 @@ use crate::kernels::probe;
 use crate::vulkan::{Device, Probe};
 use crate::{Error, Result};
 use std::sync::Arc;
+use tasks::Task;
 
 /// What to check.
 #[derive(Clone, Debug, Default)]
@@ -80,7 +82,9 @@ impl Outcome {
     }
 }
 
-/// Checks a device; `progress` sees each row as it ends.
+/// Checks a device, on several threads; `progress` sees the rows in the order of the
+/// catalogue. The device keeps the pipelines, of which some serve several rows, until it is
+/// dropped.
 ///
 /// # Errors
 /// Those of the device, and [`Error::Arguments`] where no row is left to check.
@@ -94,73 +98,98 @@ pub fn run(
         None => true,
         Some(part) => names.iter().any(|name| name.contains(part.as_str())),
     };
-    let mut rows = Vec::new();
-    let mut add = |row: Row| {
-        progress(&row);
-        rows.push(row);
-    };
-    for function in FUNCTIONS {
-        if !wanted(&[function.name, function.header]) {
-            continue;
-        }
-        if function.tier == Tier::Float && !probe.tier_f() {
-            add(Row::refused(
-                function,
-                "the probe does not find rounding to nearest even",
-            ));
-            continue;
-        }
-        add(functions::check(device, function, function.kernel)?);
-        // The same function built with CORPUT_PORTABLE, where there is such a module.
-        let portable = format!("{}_portable", function.kernel);
-        if KERNELS.iter().any(|kernel| kernel.name == portable) {
-            add(functions::check(device, function, &portable)?);
-        }
-    }
-    for case in cases::cases()? {
-        if !wanted(&[&case.name, case.kernel]) {
-            continue;
-        }
-        add(points::check(device, &case)?);
-    }
-    for map in crate::catalog::maps() {
-        if wanted(&[map.name, map.group.kernel(Profile::Exact)]) {
-            maps::check(device, map)?.into_iter().for_each(&mut add);
-        }
-    }
+    let mut tasks = of_functions(device, &probe, &wanted);
+    tasks.extend(of_points(device, &wanted)?);
     for integrand in crate::catalog::integrands() {
         if wanted(&[integrand.name, "estimate", "integrand", "sum", "genz"]) {
-            add(estimates::check(device, integrand)?);
+            tasks.push(task(move || estimates::check(device, integrand)));
         }
     }
     if wanted(&["irradiance", "envmap_texel", "envmap"]) {
-        add(irradiance::check(device)?);
+        tasks.push(task(move || irradiance::check(device)));
     }
     if wanted(&["pairs", "discrepancy"]) {
-        add(pairs::check_sums(device)?);
+        tasks.push(task(move || pairs::check_sums(device)));
     }
     if wanted(&["nearest", "distance"]) {
-        add(pairs::check_nearest(device)?);
+        tasks.push(task(move || pairs::check_nearest(device)));
     }
     if wanted(&["blue_noise_mask", "void_and_cluster"]) {
-        add(blue_noise::check(device)?);
+        tasks.push(task(move || blue_noise::check(device)));
     }
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {
-            add(native::check(device, row)?);
+            tasks.push(task(move || native::check(device, row)));
         }
     }
     for case in native_points::native_cases()? {
         if wanted(&[&case.name, case.kernel]) {
-            add(native_points::check_native(device, &case, native::SINE)?);
+            let check = move || native_points::check_native(device, &case, native::SINE);
+            tasks.push(task(check));
         }
     }
-    if rows.is_empty() {
+    if tasks.is_empty() {
         return Err(Error::Arguments {
             asked: format!("--only {}", options.only.as_deref().unwrap_or("")),
             limit: "no row's name, header or kernel contains that".into(),
             remedy: "run `corput check` to see all rows".into(),
         });
     }
+    device.keep_pipelines();
+    let rows = tasks::run(&tasks, progress)?;
     Ok(Outcome { probe, rows })
+}
+
+/// A task of one row.
+fn task<'a>(check: impl Fn() -> Result<Row> + Send + Sync + 'a) -> Task<'a> {
+    Box::new(move || Ok(vec![check()?]))
+}
+
+/// The functions of the headers.
+fn of_functions<'a>(
+    device: &'a Arc<Device>,
+    probe: &Probe,
+    wanted: &dyn Fn(&[&str]) -> bool,
+) -> Vec<Task<'a>> {
+    let mut tasks = Vec::new();
+    for function in FUNCTIONS {
+        if !wanted(&[function.name, function.header]) {
+            continue;
+        }
+        if function.tier == Tier::Float && !probe.tier_f() {
+            let why = "the probe does not find rounding to nearest even";
+            tasks.push(task(move || Ok(Row::refused(function, why))));
+            continue;
+        }
+        tasks.push(task(move || {
+            functions::check(device, function, function.kernel)
+        }));
+        // The same function built with CORPUT_PORTABLE, where there is such a module.
+        let portable = format!("{}_portable", function.kernel);
+        if KERNELS.iter().any(|kernel| kernel.name == portable) {
+            tasks.push(task(move || functions::check(device, function, &portable)));
+        }
+    }
+    tasks
+}
+
+/// The kernels that make points, and the maps.
+fn of_points<'a>(
+    device: &'a Arc<Device>,
+    wanted: &dyn Fn(&[&str]) -> bool,
+) -> Result<Vec<Task<'a>>> {
+    let mut tasks = Vec::new();
+    for case in cases::cases()? {
+        if wanted(&[&case.name, case.kernel]) {
+            tasks.push(task(move || points::check(device, &case)));
+        }
+    }
+    for map in crate::catalog::maps() {
+        if wanted(&[map.name, map.group.kernel(Profile::Exact)]) {
+            for (profile, of) in maps::tasks(map)? {
+                tasks.push(task(move || maps::check(device, map, profile, of)));
+            }
+        }
+    }
+    Ok(tasks)
 }
