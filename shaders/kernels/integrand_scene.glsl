@@ -29,6 +29,7 @@ const uint SCATTERING_PHASE = 145u;
 const uint SHADOW_UNIFORM = 148u;
 const uint SHADOW_COSINE = 149u;
 const uint SHADOW_LIGHT = 150u;
+const uint SHADOW_MIS = 151u;
 
 CorputGgx prepared_ggx(uint i) {
     return CorputGgx(prepared_real(i), prepared_real(i + 1u), prepared_real3(i + 2u), prepared_real3(i + 5u),
@@ -90,16 +91,19 @@ CorputReal integrand_scattering(uvec3 u) {
     return corput_scattering_phase(h, depth, u);
 }
 
-CorputReal integrand_shadow(uvec2 u) {
+CorputReal integrand_shadow(uvec3 u) {
     CorputSphereLight light = prepared_sphere(2u);
     CorputReal3 edge = prepared_real3(13u);
     if (INTEGRAND == SHADOW_UNIFORM) {
-        return corput_shadow_uniform(light, edge, u);
+        return corput_shadow_uniform(light, edge, u.xy);
     }
     if (INTEGRAND == SHADOW_COSINE) {
-        return corput_shadow_cosine(light, edge, u);
+        return corput_shadow_cosine(light, edge, u.xy);
     }
-    return corput_shadow_light(light, edge, u);
+    if (INTEGRAND == SHADOW_LIGHT) {
+        return corput_shadow_light(light, edge, u.xy);
+    }
+    return corput_shadow_mis(light, edge, u);
 }
 
 CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
@@ -120,7 +124,7 @@ CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
         real = integrand_scattering(state.point.xyz);
     }
     if (INTEGRAND >= SHADOW_UNIFORM) {
-        real = integrand_shadow(state.point.xy);
+        real = integrand_shadow(state.point.xyz);
     }
     return corput_term(real, scale);
 }

@@ -12,7 +12,7 @@ use crate::reference::lambert::{
 use crate::reference::real::{Real, real_zero};
 use crate::reference::real_vector::Real3;
 use crate::reference::single_scattering::{scattering_phase, scattering_uniform};
-use crate::reference::soft_shadow::{shadow_cosine, shadow_light, shadow_uniform};
+use crate::reference::soft_shadow::{shadow_cosine, shadow_light, shadow_mis, shadow_uniform};
 use crate::reference::sphere_light::SphereLight;
 use crate::reference::spherical_triangle::SphericalTriangle;
 use glam::{UVec3, Vec3Swizzles};
@@ -64,6 +64,10 @@ pub(super) fn scene_term(problem: &Problem, point: &[u32]) -> Real {
         integrand::SHADOW_LIGHT => {
             let (light, edge) = shadow();
             shadow_light(light, edge, u.xy())
+        }
+        integrand::SHADOW_MIS => {
+            let (light, edge) = shadow();
+            shadow_mis(light, edge, u)
         }
         _ => real_zero(),
     }

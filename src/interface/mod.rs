@@ -214,6 +214,8 @@ pub mod integrand {
     pub const SHADOW_COSINE: u32 = 149;
     /// By those of the light.
     pub const SHADOW_LIGHT: u32 = 150;
+    /// By half of each of the last two.
+    pub const SHADOW_MIS: u32 = 151;
 }
 
 /// Values of the constant `KIND` of `pairs`.

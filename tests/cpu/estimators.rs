@@ -178,6 +178,7 @@ fn importance_lowers_the_variance() {
         ("gaussian-peak", "normal", "uniform", 1e5),
         ("henyey-greenstein", "phase", "uniform", 3.0),
         ("soft-shadow", "light", "cosine", 5.0),
+        ("soft-shadow", "mis", "cosine", 4.0),
         ("defocus-disk", "concentric", "square", 1.05),
     ] {
         let problem = problem(text);

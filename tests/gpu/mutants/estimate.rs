@@ -60,6 +60,8 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/single_scattering.glsl", "if (!corput_real_less(corput_real_negative_log(u.z), depth))", "if (false)"),
     mutant("an edge that hides nothing of the light", Mismatch, Estimate("soft-shadow"),
         "corput/soft_shadow.glsl", "if (corput_real3_dot(edge, d).negative)", "if (false)"),
+    mutant("light beyond the rim", Mismatch, Estimate("soft-shadow"),
+        "corput/soft_shadow.glsl", "if (!inside)", "if (false)"),
     mutant("points beyond the disk", Mismatch, Estimate("defocus-disk"),
         "corput/defocus.glsl", "if (!corput_real_less(corput_real_add(corput_real_square(x), corput_real_square(y)), one))", "if (false)"),
     mutant("a peak that reaches below 0", Mismatch, Estimate("gaussian-peak"),
