@@ -81,10 +81,11 @@ CorputReal corput_ggx_area(CorputGgx g) {
 
 // a over that area; 0 where nothing is visible.
 CorputReal corput_ggx_over_area(CorputGgx g, CorputReal a) {
+    CorputReal quotient = corput_real_divide(a, corput_ggx_area(g));
     if (g.cap_above.m == 0u) {
-        return corput_real_zero();
+        quotient = corput_real_zero();
     }
-    return corput_real_divide(a, corput_ggx_area(g));
+    return quotient;
 }
 
 // D(h) for the normal n of the unit sphere, of squared length n_square, where S n has the

@@ -112,10 +112,11 @@ pub fn ggx_area(g: Ggx) -> Real {
 #[inline]
 #[must_use]
 pub fn ggx_over_area(g: Ggx, a: Real) -> Real {
+    let mut quotient = real_divide(a, ggx_area(g));
     if g.cap_above.m == 0 {
-        return real_zero();
+        quotient = real_zero();
     }
-    real_divide(a, ggx_area(g))
+    quotient
 }
 
 /// D(h) for the normal n of the unit sphere, of squared length n_square, where S n has the
