@@ -6,6 +6,7 @@
 #include "integrand_point.glsl"
 #include "corput/defocus.glsl"
 #include "corput/ggx_furnace.glsl"
+#include "corput/highlight.glsl"
 #include "corput/lambert.glsl"
 #include "corput/single_scattering.glsl"
 #include "corput/soft_shadow.glsl"
@@ -30,6 +31,10 @@ const uint SHADOW_UNIFORM = 148u;
 const uint SHADOW_COSINE = 149u;
 const uint SHADOW_LIGHT = 150u;
 const uint SHADOW_MIS = 151u;
+const uint LOBE_UNIFORM = 152u;
+const uint LOBE_GGX = 153u;
+const uint LOBE_LIGHT = 154u;
+const uint LOBE_MIS = 155u;
 
 CorputGgx prepared_ggx(uint i) {
     return CorputGgx(prepared_real(i), prepared_real(i + 1u), prepared_real3(i + 2u), prepared_real3(i + 5u),
@@ -106,6 +111,21 @@ CorputReal integrand_shadow(uvec3 u) {
     return corput_shadow_mis(light, edge, u);
 }
 
+CorputReal integrand_lobe(uvec3 u) {
+    CorputGgx g = prepared_ggx(2u);
+    CorputSphereLight light = prepared_sphere(15u);
+    if (INTEGRAND == LOBE_UNIFORM) {
+        return corput_highlight_uniform(g, light, u.xy);
+    }
+    if (INTEGRAND == LOBE_GGX) {
+        return corput_highlight_visible(g, light, u.xy);
+    }
+    if (INTEGRAND == LOBE_LIGHT) {
+        return corput_highlight_light(g, light, u.xy);
+    }
+    return corput_highlight_mis(g, light, u);
+}
+
 CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     CorputReal real = corput_real_zero();
     if (INTEGRAND < POLYGON_UNIFORM) {
@@ -123,8 +143,11 @@ CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     if (INTEGRAND >= SCATTERING_UNIFORM && INTEGRAND < SHADOW_UNIFORM) {
         real = integrand_scattering(state.point.xyz);
     }
-    if (INTEGRAND >= SHADOW_UNIFORM) {
+    if (INTEGRAND >= SHADOW_UNIFORM && INTEGRAND < LOBE_UNIFORM) {
         real = integrand_shadow(state.point.xyz);
+    }
+    if (INTEGRAND >= LOBE_UNIFORM) {
+        real = integrand_lobe(state.point.xyz);
     }
     return corput_term(real, scale);
 }
