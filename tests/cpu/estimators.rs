@@ -124,6 +124,17 @@ fn maps_and_axes_are_refused_in_words() {
     assert_eq!(map.luminances(), [0.2126, 0.0]);
 }
 
+/// Far from a sharp lobe visible normals meet a small light too seldom for the unit of their
+/// terms; directions of the light do.
+#[test]
+fn means_below_the_unit_of_terms_are_refused() {
+    let far = problem("ggx-lobe:alpha=0.001,radius=0.001,cosine=0.5,offset=800");
+    assert!(far.with_estimator("light").is_ok());
+    let error = far.with_estimator("ggx").expect_err("a mean of 1e-12");
+    assert_eq!(error.exit_code(), 2);
+    assert!(error.to_string().contains("2^-34"), "{error}");
+}
+
 /// No term is above the peak of its estimator, and none is below 0, where the unit of terms
 /// would not hold it.
 #[test]
