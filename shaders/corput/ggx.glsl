@@ -35,9 +35,6 @@ CorputReal corput_ggx_stretch(vec2 alpha, vec3 w) {
 
 // The density of normals D at h with respect to solid angle; 0 for h.z <= 0.
 CorputReal corput_ggx_density(CorputReal alpha_x, CorputReal alpha_y, CorputReal3 h) {
-    if (h.z.negative || h.z.m == 0u) {
-        return corput_real_zero();
-    }
     // alpha_x alpha_y / pi (|h|^2 / (alpha_x alpha_y |h'|^2))^2, with h' shrunk by alpha and
     // multiplied by alpha_x alpha_y so that nothing is divided by alpha.
     CorputReal area = corput_real_multiply(alpha_x, alpha_y);
@@ -46,8 +43,12 @@ CorputReal corput_ggx_density(CorputReal alpha_x, CorputReal alpha_y, CorputReal
     CorputReal ratio = corput_real_divide(corput_real_multiply(area, corput_real3_dot(h, h)),
         corput_real3_dot(shrunk, shrunk));
     // 1 / pi.
-    return corput_real_multiply(corput_real_multiply(area, corput_real_square(ratio)),
+    CorputReal density = corput_real_multiply(corput_real_multiply(area, corput_real_square(ratio)),
         CorputReal(2734261102u, -33, false));
+    if ((uint(h.z.negative) | uint(h.z.m == 0u)) != 0u) {
+        density = corput_real_zero();
+    }
+    return density;
 }
 
 // D at h.

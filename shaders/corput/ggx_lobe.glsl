@@ -81,10 +81,11 @@ CorputReal corput_ggx_area(CorputGgx g) {
 
 // a over that area; 0 where nothing is visible.
 CorputReal corput_ggx_over_area(CorputGgx g, CorputReal a) {
+    CorputReal quotient = corput_real_divide(a, corput_ggx_area(g));
     if (g.cap_above.m == 0u) {
-        return corput_real_zero();
+        quotient = corput_real_zero();
     }
-    return corput_real_divide(a, corput_ggx_area(g));
+    return quotient;
 }
 
 // D(h) for the normal n of the unit sphere, of squared length n_square, where S n has the
@@ -150,14 +151,19 @@ float corput_ggx_pdf(CorputGgx g, vec3 wi) {
 
 // The weight G2 cos D / (4 cos cos' pdf) of a reflected direction, without Fresnel's term:
 // for all visible normals G2 / G1, at most 1. 0 where wo or wi lies below the horizon.
-float corput_ggx_weight(CorputGgx g, vec3 wi) {
-    CorputReal3 i = corput_real3(wi);
-    if (g.wo.z.negative || i.z.negative || i.z.m == 0u) {
-        return 0.0;
-    }
+CorputReal corput_ggx_weight_of(CorputGgx g, CorputReal3 i) {
     CorputReal stretch = corput_real3_length(corput_ggx_stretched(g.alpha_x, g.alpha_y, i));
     CorputReal sum = corput_real_add(corput_real_multiply(i.z, g.stretch), corput_real_multiply(g.wo.z, stretch));
-    return corput_real_float(corput_real_divide(corput_real_multiply(i.z, corput_ggx_area(g)), sum));
+    CorputReal weight = corput_real_divide(corput_real_multiply(i.z, corput_ggx_area(g)), sum);
+    if ((uint(g.wo.z.negative) | uint(i.z.negative)) != 0u) {
+        weight = corput_real_zero();
+    }
+    return weight;
+}
+
+// The same of a rounded direction.
+float corput_ggx_weight(CorputGgx g, vec3 wi) {
+    return corput_real_float(corput_ggx_weight_of(g, corput_real3(wi)));
 }
 
 #endif

@@ -32,10 +32,11 @@ struct CorputGgxVisible {
 // The sine of V to +z, and the unit vector of its horizontal part: (-y, x) is T1.
 CorputReal3 corput_ggx_vndf_axis(CorputGgx g) {
     CorputReal sine = corput_real_sqrt(corput_real_add(corput_real_square(g.view.x), corput_real_square(g.view.y)));
+    CorputReal3 axis = CorputReal3(corput_real_divide(g.view.x, sine), corput_real_divide(g.view.y, sine), sine);
     if (sine.m == 0u) {
-        return CorputReal3(corput_real_zero(), corput_real_negate(corput_real_uint(1u, 0)), sine);
+        axis.y = corput_real_negate(corput_real_uint(1u, 0));
     }
-    return CorputReal3(corput_real_divide(g.view.x, sine), corput_real_divide(g.view.y, sine), sine);
+    return axis;
 }
 
 // t2 sin + w cos, given rise = t2 + A cos: where the terms differ in sign, the difference of
@@ -44,14 +45,19 @@ CorputReal corput_ggx_vndf_height(CorputReal sine, CorputReal cosine, CorputReal
     CorputReal rise) {
     CorputReal first = corput_real_multiply(t2, sine);
     CorputReal second = corput_real_multiply(w, cosine);
-    if (first.negative == second.negative || first.m == 0u || second.m == 0u) {
-        return corput_real_add(first, second);
-    }
+    uint plain = uint(first.negative == second.negative) | uint(first.m == 0u) | uint(second.m == 0u);
     CorputReal other = corput_real_subtract(t2, corput_real_multiply(a, cosine));
     CorputReal product = corput_real_multiply(rise, CorputReal(other.m, other.e, false));
-    first.negative = false;
-    second.negative = false;
-    return corput_real_divide(product, corput_real_add(first, second));
+    if (plain == 0u) {
+        first.negative = false;
+        second.negative = false;
+    }
+    CorputReal sum = corput_real_add(first, second);
+    CorputReal height = corput_real_divide(product, sum);
+    if (plain != 0u) {
+        height = sum;
+    }
+    return height;
 }
 
 // The visible normal of the unit sphere.

@@ -6,6 +6,7 @@
 #include "integrand_point.glsl"
 #include "corput/defocus.glsl"
 #include "corput/ggx_furnace.glsl"
+#include "corput/highlight.glsl"
 #include "corput/lambert.glsl"
 #include "corput/single_scattering.glsl"
 #include "corput/soft_shadow.glsl"
@@ -29,6 +30,11 @@ const uint SCATTERING_PHASE = 145u;
 const uint SHADOW_UNIFORM = 148u;
 const uint SHADOW_COSINE = 149u;
 const uint SHADOW_LIGHT = 150u;
+const uint SHADOW_MIS = 151u;
+const uint LOBE_UNIFORM = 152u;
+const uint LOBE_GGX = 153u;
+const uint LOBE_LIGHT = 154u;
+const uint LOBE_MIS = 155u;
 
 CorputGgx prepared_ggx(uint i) {
     return CorputGgx(prepared_real(i), prepared_real(i + 1u), prepared_real3(i + 2u), prepared_real3(i + 5u),
@@ -90,16 +96,34 @@ CorputReal integrand_scattering(uvec3 u) {
     return corput_scattering_phase(h, depth, u);
 }
 
-CorputReal integrand_shadow(uvec2 u) {
+CorputReal integrand_shadow(uvec3 u) {
     CorputSphereLight light = prepared_sphere(2u);
     CorputReal3 edge = prepared_real3(13u);
     if (INTEGRAND == SHADOW_UNIFORM) {
-        return corput_shadow_uniform(light, edge, u);
+        return corput_shadow_uniform(light, edge, u.xy);
     }
     if (INTEGRAND == SHADOW_COSINE) {
-        return corput_shadow_cosine(light, edge, u);
+        return corput_shadow_cosine(light, edge, u.xy);
     }
-    return corput_shadow_light(light, edge, u);
+    if (INTEGRAND == SHADOW_LIGHT) {
+        return corput_shadow_light(light, edge, u.xy);
+    }
+    return corput_shadow_mis(light, edge, u);
+}
+
+CorputReal integrand_lobe(uvec3 u) {
+    CorputGgx g = prepared_ggx(2u);
+    CorputSphereLight light = prepared_sphere(15u);
+    if (INTEGRAND == LOBE_UNIFORM) {
+        return corput_highlight_uniform(g, light, u.xy);
+    }
+    if (INTEGRAND == LOBE_GGX) {
+        return corput_highlight_visible(g, light, u.xy);
+    }
+    if (INTEGRAND == LOBE_LIGHT) {
+        return corput_highlight_light(g, light, u.xy);
+    }
+    return corput_highlight_mis(g, light, u);
 }
 
 CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
@@ -119,8 +143,11 @@ CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     if (INTEGRAND >= SCATTERING_UNIFORM && INTEGRAND < SHADOW_UNIFORM) {
         real = integrand_scattering(state.point.xyz);
     }
-    if (INTEGRAND >= SHADOW_UNIFORM) {
-        real = integrand_shadow(state.point.xy);
+    if (INTEGRAND >= SHADOW_UNIFORM && INTEGRAND < LOBE_UNIFORM) {
+        real = integrand_shadow(state.point.xyz);
+    }
+    if (INTEGRAND >= LOBE_UNIFORM) {
+        real = integrand_lobe(state.point.xyz);
     }
     return corput_term(real, scale);
 }

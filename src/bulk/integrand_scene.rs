@@ -6,13 +6,16 @@ use crate::reference::defocus::{defocus_concentric, defocus_polar, defocus_squar
 use crate::reference::ggx_furnace::{furnace_cosine, furnace_uniform, furnace_visible};
 use crate::reference::ggx_lobe::Ggx;
 use crate::reference::henyey_greenstein::henyey_greenstein_prepare;
+use crate::reference::highlight::{
+    highlight_light, highlight_mis, highlight_uniform, highlight_visible,
+};
 use crate::reference::lambert::{
     lambert_cosine, lambert_light, lambert_mis, lambert_uniform, sky_cosine, sky_uniform,
 };
 use crate::reference::real::{Real, real_zero};
 use crate::reference::real_vector::Real3;
 use crate::reference::single_scattering::{scattering_phase, scattering_uniform};
-use crate::reference::soft_shadow::{shadow_cosine, shadow_light, shadow_uniform};
+use crate::reference::soft_shadow::{shadow_cosine, shadow_light, shadow_mis, shadow_uniform};
 use crate::reference::sphere_light::SphereLight;
 use crate::reference::spherical_triangle::SphericalTriangle;
 use glam::{UVec3, Vec3Swizzles};
@@ -31,6 +34,11 @@ pub(super) fn scene_term(problem: &Problem, point: &[u32]) -> Real {
         let mut rest = words;
         let light = SphereLight::take(&mut rest);
         (light, Real3::take(&mut rest))
+    };
+    let lobe = || {
+        let mut rest = words;
+        let g = Ggx::take(&mut rest);
+        (g, SphereLight::take(&mut rest))
     };
     match problem.id() {
         integrand::SKY_UNIFORM => sky_uniform(Real::of(words), u.xy()),
@@ -64,6 +72,26 @@ pub(super) fn scene_term(problem: &Problem, point: &[u32]) -> Real {
         integrand::SHADOW_LIGHT => {
             let (light, edge) = shadow();
             shadow_light(light, edge, u.xy())
+        }
+        integrand::SHADOW_MIS => {
+            let (light, edge) = shadow();
+            shadow_mis(light, edge, u)
+        }
+        integrand::LOBE_UNIFORM => {
+            let (g, light) = lobe();
+            highlight_uniform(g, light, u.xy())
+        }
+        integrand::LOBE_GGX => {
+            let (g, light) = lobe();
+            highlight_visible(g, light, u.xy())
+        }
+        integrand::LOBE_LIGHT => {
+            let (g, light) = lobe();
+            highlight_light(g, light, u.xy())
+        }
+        integrand::LOBE_MIS => {
+            let (g, light) = lobe();
+            highlight_mis(g, light, u)
         }
         _ => real_zero(),
     }

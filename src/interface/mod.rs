@@ -214,6 +214,16 @@ pub mod integrand {
     pub const SHADOW_COSINE: u32 = 149;
     /// By those of the light.
     pub const SHADOW_LIGHT: u32 = 150;
+    /// By half of each of the last two.
+    pub const SHADOW_MIS: u32 = 151;
+    /// Spherical light on GGX, by uniform directions.
+    pub const LOBE_UNIFORM: u32 = 152;
+    /// By visible normals.
+    pub const LOBE_GGX: u32 = 153;
+    /// By directions of the light.
+    pub const LOBE_LIGHT: u32 = 154;
+    /// By half of each of the last two.
+    pub const LOBE_MIS: u32 = 155;
 }
 
 /// Values of the constant `KIND` of `pairs`.

@@ -7,6 +7,7 @@
 mod digits;
 pub mod environment;
 mod functions;
+mod highlight;
 mod integrands;
 pub mod irradiance;
 pub mod lights;
@@ -29,6 +30,7 @@ pub use environment::EnvironmentTables;
 pub use functions::{
     atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sobol_directions, sqrt,
 };
+pub use highlight::highlight;
 pub use integrands::{integrand, normal_peak};
 pub use maps::{
     concentric_disk, cosine_hemisphere, cosine_hemisphere_polar, frame, polar_disk,

@@ -19,7 +19,7 @@ pub(super) fn optics(name: &str, estimator: &str, values: &[f64], u: [u32; 3]) -
     match name {
         "defocus-disk" => lens(estimator, values, pair),
         "henyey-greenstein" => scattering(estimator, values, u),
-        "soft-shadow" => shadow(estimator, values, pair),
+        "soft-shadow" => shadow(estimator, values, u),
         _ => [f64::NAN; 2],
     }
 }
@@ -68,10 +68,14 @@ fn scattering(estimator: &str, values: &[f64], u: [u32; 3]) -> [f64; 2] {
     }
 }
 
-fn shadow(estimator: &str, values: &[f64], u: [u32; 2]) -> [f64; 2] {
+fn shadow(estimator: &str, values: &[f64], [x, y, choice]: [u32; 3]) -> [f64; 2] {
+    let u = [x, y];
     let (up, along) = values[0].sin_cos();
     let (side, ahead) = (values[2] * values[1]).sin_cos();
-    let (centre, edge) = ([along, 0.0, up], [side * along, -ahead, side * up]);
+    // The scene is what its floats are.
+    let float = |x: f64| f64::from(x as f32);
+    let (centre, radius) = ([along, 0.0, up].map(float), float(values[1].sin()));
+    let edge = [side * along, -ahead, side * up].map(float);
     let met = |d: Vector| [dot(d, centre) - values[1].cos(), dot(d, edge)];
     match estimator {
         "uniform" => {
@@ -80,8 +84,18 @@ fn shadow(estimator: &str, values: &[f64], u: [u32; 2]) -> [f64; 2] {
         }
         "cosine" => within(&met(cosine_hemisphere(u)), PI),
         "light" => {
-            let (d, pdf) = sphere_light(centre, values[1].sin(), u);
+            let (d, pdf) = sphere_light(centre, radius, u);
             within(&[dot(d, edge)], d[2] / pdf)
+        }
+        "mis" => {
+            let (drawn, pdf) = sphere_light(centre, radius, u);
+            let mixed = |z: f64| z / (0.5 * (z / PI + pdf));
+            if choice < 1 << 31 {
+                let d = cosine_hemisphere(u);
+                within(&met(d), mixed(d[2]))
+            } else {
+                within(&[dot(drawn, edge)], mixed(drawn[2]))
+            }
         }
         _ => [f64::NAN; 2],
     }

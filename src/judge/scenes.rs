@@ -1,8 +1,8 @@
 //! Problems of rendering in `f64`, sample by sample.
 
-use super::optics;
 use super::spherical_triangle::{solid_angle, spherical_triangle};
 use super::{Ggx, cosine_hemisphere, uniform_hemisphere};
+use super::{highlight, optics};
 use std::f64::consts::{PI, TAU};
 
 type Vector = [f64; 3];
@@ -60,6 +60,7 @@ pub fn scene(name: &str, estimator: &str, values: &[f64], u: [u32; 3]) -> [f64; 
             };
             [value; 2]
         }
+        ("ggx-lobe", _) => highlight::sample(estimator, values, u),
         _ => optics::optics(name, estimator, values, u),
     }
 }

@@ -55,9 +55,6 @@ pub fn ggx_stretch(alpha: Vec2, w: Vec3) -> Real {
 #[inline]
 #[must_use]
 pub fn ggx_density(alpha_x: Real, alpha_y: Real, h: Real3) -> Real {
-    if h.z.negative || h.z.m == 0 {
-        return real_zero();
-    }
     // alpha_x alpha_y / pi (|h|^2 / (alpha_x alpha_y |h'|^2))^2, with h' shrunk by alpha and
     // multiplied by alpha_x alpha_y so that nothing is divided by alpha.
     let area = real_multiply(alpha_x, alpha_y);
@@ -71,14 +68,18 @@ pub fn ggx_density(alpha_x: Real, alpha_y: Real, h: Real3) -> Real {
         real3_dot(shrunk, shrunk),
     );
     // 1 / pi.
-    real_multiply(
+    let mut density = real_multiply(
         real_multiply(area, real_square(ratio)),
         Real {
             m: 2_734_261_102,
             e: -33,
             negative: false,
         },
-    )
+    );
+    if (u32::from(h.z.negative) | u32::from(h.z.m == 0)) != 0 {
+        density = real_zero();
+    }
+    density
 }
 
 /// D at h.

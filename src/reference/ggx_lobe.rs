@@ -112,10 +112,11 @@ pub fn ggx_area(g: Ggx) -> Real {
 #[inline]
 #[must_use]
 pub fn ggx_over_area(g: Ggx, a: Real) -> Real {
+    let mut quotient = real_divide(a, ggx_area(g));
     if g.cap_above.m == 0 {
-        return real_zero();
+        quotient = real_zero();
     }
-    real_divide(a, ggx_area(g))
+    quotient
 }
 
 /// D(h) for the normal n of the unit sphere, of squared length n_square, where S n has the
@@ -213,15 +214,22 @@ pub fn ggx_pdf(g: Ggx, wi: Vec3) -> f32 {
 /// for all visible normals G2 / G1, at most 1. 0 where wo or wi lies below the horizon.
 #[inline]
 #[must_use]
-pub fn ggx_weight(g: Ggx, wi: Vec3) -> f32 {
-    let i = real3(wi);
-    if g.wo.z.negative || i.z.negative || i.z.m == 0 {
-        return 0.0;
-    }
+pub fn ggx_weight_of(g: Ggx, i: Real3) -> Real {
     let stretch = real3_length(ggx_stretched(g.alpha_x, g.alpha_y, i));
     let sum = real_add(
         real_multiply(i.z, g.stretch),
         real_multiply(g.wo.z, stretch),
     );
-    real_float(real_divide(real_multiply(i.z, ggx_area(g)), sum))
+    let mut weight = real_divide(real_multiply(i.z, ggx_area(g)), sum);
+    if (u32::from(g.wo.z.negative) | u32::from(i.z.negative)) != 0 {
+        weight = real_zero();
+    }
+    weight
+}
+
+/// The same of a rounded direction.
+#[inline]
+#[must_use]
+pub fn ggx_weight(g: Ggx, wi: Vec3) -> f32 {
+    real_float(ggx_weight_of(g, real3(wi)))
 }

@@ -43,18 +43,15 @@ pub struct GgxVisible {
 #[must_use]
 pub fn ggx_vndf_axis(g: Ggx) -> Real3 {
     let sine = real_sqrt(real_add(real_square(g.view.x), real_square(g.view.y)));
-    if sine.m == 0 {
-        return Real3 {
-            x: real_zero(),
-            y: real_negate(real_uint(1, 0)),
-            z: sine,
-        };
-    }
-    Real3 {
+    let mut axis = Real3 {
         x: real_divide(g.view.x, sine),
         y: real_divide(g.view.y, sine),
         z: sine,
+    };
+    if sine.m == 0 {
+        axis.y = real_negate(real_uint(1, 0));
     }
+    axis
 }
 
 /// t2 sin + w cos, given rise = t2 + A cos: where the terms differ in sign, the difference of
@@ -64,9 +61,9 @@ pub fn ggx_vndf_axis(g: Ggx) -> Real3 {
 pub fn ggx_vndf_height(sine: Real, cosine: Real, t2: Real, w: Real, a: Real, rise: Real) -> Real {
     let mut first = real_multiply(t2, sine);
     let mut second = real_multiply(w, cosine);
-    if first.negative == second.negative || first.m == 0 || second.m == 0 {
-        return real_add(first, second);
-    }
+    let plain = u32::from(first.negative == second.negative)
+        | u32::from(first.m == 0)
+        | u32::from(second.m == 0);
     let other = real_subtract(t2, real_multiply(a, cosine));
     let product = real_multiply(
         rise,
@@ -76,9 +73,16 @@ pub fn ggx_vndf_height(sine: Real, cosine: Real, t2: Real, w: Real, a: Real, ris
             negative: false,
         },
     );
-    first.negative = false;
-    second.negative = false;
-    real_divide(product, real_add(first, second))
+    if plain == 0 {
+        first.negative = false;
+        second.negative = false;
+    }
+    let sum = real_add(first, second);
+    let mut height = real_divide(product, sum);
+    if plain != 0 {
+        height = sum;
+    }
+    height
 }
 
 /// The visible normal of the unit sphere.

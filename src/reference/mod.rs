@@ -65,6 +65,7 @@ pub mod hammersley;
 pub mod hash;
 pub mod hemisphere;
 pub mod henyey_greenstein;
+pub mod highlight;
 pub mod integrand;
 pub mod irradiance;
 pub mod keister;

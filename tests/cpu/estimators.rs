@@ -98,6 +98,12 @@ fn maps_and_axes_are_refused_in_words() {
         ),
         ("ggx-furnace:alpha=0.01", "from 0.1 to 1"),
         ("soft-shadow:edge=1", "from -0.999 to 0.999"),
+        ("ggx-lobe:alpha=0.0001", "from 0.001 to 1"),
+        (
+            "ggx-lobe:cosine=0.1,radius=0.2,offset=0",
+            "above the horizon",
+        ),
+        ("ggx-lobe:radius=0.1,offset=30", "above the horizon"),
         ("gaussian-peak:sigma=2", "from 1e-6 to 1"),
     ] {
         let error = Problem::parse(text).expect_err(text);
@@ -116,6 +122,17 @@ fn maps_and_axes_are_refused_in_words() {
     assert!(LightMap::new("black", 2, 1, &[[0.0; 3]; 2]).is_err());
     assert!(LightMap::new("short", 2, 2, &[[1.0; 3]; 2]).is_err());
     assert_eq!(map.luminances(), [0.2126, 0.0]);
+}
+
+/// Far from a sharp lobe visible normals meet a small light too seldom for the unit of their
+/// terms; directions of the light do.
+#[test]
+fn means_below_the_unit_of_terms_are_refused() {
+    let far = problem("ggx-lobe:alpha=0.001,radius=0.001,cosine=0.5,offset=800");
+    assert!(far.with_estimator("light").is_ok());
+    let error = far.with_estimator("ggx").expect_err("a mean of 1e-12");
+    assert_eq!(error.exit_code(), 2);
+    assert!(error.to_string().contains("2^-34"), "{error}");
 }
 
 /// No term is above the peak of its estimator, and none is below 0, where the unit of terms
@@ -178,6 +195,11 @@ fn importance_lowers_the_variance() {
         ("gaussian-peak", "normal", "uniform", 1e5),
         ("henyey-greenstein", "phase", "uniform", 3.0),
         ("soft-shadow", "light", "cosine", 5.0),
+        ("soft-shadow", "mis", "cosine", 4.0),
+        ("ggx-lobe", "ggx", "light", 5.0),
+        ("ggx-lobe", "mis", "uniform", 100.0),
+        ("ggx-lobe:alpha=0.5,radius=0.01", "light", "ggx", 100.0),
+        ("ggx-lobe:alpha=0.5,radius=0.01", "mis", "ggx", 100.0),
         ("defocus-disk", "concentric", "square", 1.05),
     ] {
         let problem = problem(text);
@@ -303,4 +325,40 @@ fn truths_are_found_by_other_methods() {
         phase * (1.0 - (-2f64).exp()),
         1e-6,
     );
+}
+
+/// The highlight by rays through the slopes of its normals against brute force over the light,
+/// which has no formula in common with it: sharp lobes and blunt, lights that hide the lobe's
+/// peak, touch it, miss it and touch the horizon.
+#[test]
+fn highlights_are_found_by_brute_force() {
+    for values in [
+        [0.02, 0.6, 0.1, 0.5],
+        [0.001, 0.9, 0.02, 0.99],
+        [0.001, 0.1, 0.05, 1.01],
+        [0.05, 1.0, 1.5, 0.0],
+        [0.001, 0.5, 0.001, 300.0],
+        [0.05, 0.3, 0.304_692_654, 0.0],
+        [1.0, 0.1, 0.1, 0.0],
+        [1.0, 0.7, 0.001, -500.0],
+    ] {
+        let integrand = Integrand::from_name("ggx-lobe").expect("one");
+        let found = Problem::with_values(integrand, &values, 2);
+        let truth = found.unwrap_or_else(|error| panic!("{error}")).truth();
+        let wanted = corput::judge::highlight(&values);
+        let off = |truth: f64| (truth / wanted - 1.0).abs();
+        assert!(off(truth) < 1e-10, "{values:?}: {truth}, not {wanted}");
+        // Brute force tells a lobe, and a light, that are a millionth wider.
+        for wider in [0, 2] {
+            let mut other = values;
+            other[wider] *= if other[wider] == 1.0 {
+                1.0 - 1e-6
+            } else {
+                1.0 + 1e-6
+            };
+            if let Ok(found) = Problem::with_values(integrand, &other, 2) {
+                assert!(off(found.truth()) > 1e-10, "{values:?} {wider}");
+            }
+        }
+    }
 }

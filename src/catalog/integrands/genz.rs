@@ -9,9 +9,6 @@ use crate::interface::integrand;
 use crate::judge::normal_mass;
 use std::f64::consts::{PI, SQRT_2, TAU};
 
-/// The mean must not be lost below the unit of terms, 2^-63 of the peak.
-const LEAST_SHARE: f64 = 1.0 / 17_179_869_184.0;
-
 type Checked = core::result::Result<Coefficients, usize>;
 
 const fn difficulty(default: &'static [f64]) -> Parameter {
@@ -236,10 +233,7 @@ fn peaked(values: &[f64], dimensions: u32, of: fn(f64) -> f64, peak: f64) -> Che
 
 /// Refuses what would lose its mean below the unit of its terms.
 fn dominant(made: Checked, truth: f64) -> Checked {
-    made.and_then(|made| {
-        let kept = truth >= LEAST_SHARE * made.peak;
-        kept.then_some(made).ok_or(0)
-    })
+    made.and_then(|made| made.resolves(truth).then_some(made).ok_or(0))
 }
 
 fn oscillatory(values: &[f64], dimensions: u32) -> Checked {

@@ -12,6 +12,7 @@
 
 mod examples;
 mod genz;
+mod highlight;
 mod irradiance;
 mod light;
 mod low;
@@ -26,6 +27,9 @@ pub use problem::Problem;
 
 use super::Parameter;
 use crate::{Error, Result};
+
+/// The least mean of an integrand, as a share of its peak.
+const LEAST_SHARE: f64 = 1.0 / 17_179_869_184.0;
 
 /// What kernels take of an integrand: words, and the unit of its terms.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,6 +63,11 @@ impl Coefficients {
             scale: 63 - peak.log2().ceil() as i32,
             peak,
         }
+    }
+
+    /// Whether a mean is not lost below the unit of terms, 2^-63 of the peak.
+    fn resolves(&self, mean: f64) -> bool {
+        mean >= LEAST_SHARE * self.peak
     }
 }
 
@@ -159,6 +168,7 @@ pub fn integrands() -> impl Iterator<Item = &'static Integrand> {
         .chain(irradiance::INTEGRANDS)
         .chain(scenes::INTEGRANDS)
         .chain(optics::INTEGRANDS)
+        .chain(highlight::INTEGRANDS)
 }
 
 /// The two words of x > 0 as a real: a significand of 32 bits, rounded, and an exponent.

@@ -1,7 +1,7 @@
 //! A lens, a medium and a shadow: problems of rendering without tables.
 
 use super::scenes::{BASE, prepared};
-use super::{Coefficients, Integrand, Parameter, Setting, within};
+use super::{Coefficients, Integrand, MIS, Parameter, Setting, within};
 use crate::catalog::Words;
 use crate::interface::integrand;
 use crate::reference::real::real;
@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 type Checked = core::result::Result<Coefficients, usize>;
 
-const SHADOW: &[&str] = &["uniform", "cosine", "light"];
+const SHADOW: &[&str] = &["uniform", "cosine", "light", MIS];
 
 /// The integrands of this group.
 pub(super) const INTEGRANDS: &[Integrand] = &[
@@ -126,8 +126,9 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         ],
         summary: "light of a sphere behind an edge on a level surface",
         formula: "integral of z over the directions of the sphere on one side of a plane; \
-                  uniform and cosine: directions of the hemisphere, light: of the sphere",
-        source: "Cook, Porter and Carpenter 1984",
+                  uniform and cosine: directions of the hemisphere, light: of the sphere, mis: \
+                  half of each of the last two",
+        source: "Cook, Porter and Carpenter 1984; Veach and Guibas 1995",
         ..BASE
     },
 ];
@@ -193,8 +194,14 @@ fn shadow(s: &Setting) -> Checked {
     sphere_light_prepare(centre, size).put(&mut words);
     real3(normal).put(&mut words);
     let light = 2.0 * TAU * (0.5 * radius).sin().powi(2);
-    let most = [TAU, PI, light].get(s.estimator).copied();
-    Ok(prepared(words, most.unwrap_or(TAU)))
+    let peak = match SHADOW.get(s.estimator) {
+        Some(&"uniform") => TAU,
+        Some(&"cosine") => PI,
+        Some(&"light") => light,
+        // It grows with the cosine.
+        _ => 2.0 / (PI.recip() + light.recip()),
+    };
+    Ok(prepared(words, peak))
 }
 
 /// Half the integral of r x dr around the open part of the light, upwards: of the arc of its

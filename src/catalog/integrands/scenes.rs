@@ -192,7 +192,7 @@ fn lambert(corners: [Vec3; 3]) -> f64 {
 }
 
 /// The roughness, and the direction from which the surface is seen.
-fn seen(values: &[f64]) -> (f32, Vec3) {
+pub(super) fn seen(values: &[f64]) -> (f32, Vec3) {
     let cosine = values[1];
     let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
     (values[0] as f32, Vec3::new(sine as f32, 0.0, cosine as f32))
