@@ -7,6 +7,7 @@
 #include "corput/defocus.glsl"
 #include "corput/ggx_furnace.glsl"
 #include "corput/lambert.glsl"
+#include "corput/pixel_edge.glsl"
 #include "corput/single_scattering.glsl"
 #include "corput/soft_shadow.glsl"
 #define PREPARED(i) coefficients[(i) >> 2u][(i) & 3u]
@@ -29,6 +30,8 @@ const uint SCATTERING_PHASE = 145u;
 const uint SHADOW_UNIFORM = 148u;
 const uint SHADOW_COSINE = 149u;
 const uint SHADOW_LIGHT = 150u;
+const uint PIXEL_UNIFORM = 152u;
+const uint PIXEL_FILTER = 153u;
 
 CorputGgx prepared_ggx(uint i) {
     return CorputGgx(prepared_real(i), prepared_real(i + 1u), prepared_real3(i + 2u), prepared_real3(i + 5u),
@@ -102,6 +105,14 @@ CorputReal integrand_shadow(uvec2 u) {
     return corput_shadow_light(light, edge, u);
 }
 
+CorputReal integrand_pixel(uvec2 u) {
+    CorputReal3 edge = prepared_real3(2u);
+    if (INTEGRAND == PIXEL_UNIFORM) {
+        return corput_pixel_uniform(edge, u);
+    }
+    return corput_pixel_filter(edge, u);
+}
+
 CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     CorputReal real = corput_real_zero();
     if (INTEGRAND < POLYGON_UNIFORM) {
@@ -119,8 +130,11 @@ CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     if (INTEGRAND >= SCATTERING_UNIFORM && INTEGRAND < SHADOW_UNIFORM) {
         real = integrand_scattering(state.point.xyz);
     }
-    if (INTEGRAND >= SHADOW_UNIFORM) {
+    if (INTEGRAND >= SHADOW_UNIFORM && INTEGRAND < PIXEL_UNIFORM) {
         real = integrand_shadow(state.point.xy);
+    }
+    if (INTEGRAND >= PIXEL_UNIFORM) {
+        real = integrand_pixel(state.point.xy);
     }
     return corput_term(real, scale);
 }

@@ -9,6 +9,7 @@ use crate::reference::henyey_greenstein::henyey_greenstein_prepare;
 use crate::reference::lambert::{
     lambert_cosine, lambert_light, lambert_mis, lambert_uniform, sky_cosine, sky_uniform,
 };
+use crate::reference::pixel_edge::{pixel_filter, pixel_uniform};
 use crate::reference::real::{Real, real_zero};
 use crate::reference::real_vector::Real3;
 use crate::reference::single_scattering::{scattering_phase, scattering_uniform};
@@ -65,6 +66,8 @@ pub(super) fn scene_term(problem: &Problem, point: &[u32]) -> Real {
             let (light, edge) = shadow();
             shadow_light(light, edge, u.xy())
         }
+        integrand::PIXEL_UNIFORM => pixel_uniform(Real3::of(words), u.xy()),
+        integrand::PIXEL_FILTER => pixel_filter(Real3::of(words), u.xy()),
         _ => real_zero(),
     }
 }

@@ -214,6 +214,10 @@ pub mod integrand {
     pub const SHADOW_COSINE: u32 = 149;
     /// By those of the light.
     pub const SHADOW_LIGHT: u32 = 150;
+    /// Edge in a pixel, by uniform points of the filter's square.
+    pub const PIXEL_UNIFORM: u32 = 152;
+    /// By the filter.
+    pub const PIXEL_FILTER: u32 = 153;
 }
 
 /// Values of the constant `KIND` of `pairs`.

@@ -16,6 +16,7 @@ mod irradiance;
 mod light;
 mod low;
 mod optics;
+mod pixel;
 mod problem;
 mod quadrature;
 mod scenes;
@@ -159,6 +160,7 @@ pub fn integrands() -> impl Iterator<Item = &'static Integrand> {
         .chain(irradiance::INTEGRANDS)
         .chain(scenes::INTEGRANDS)
         .chain(optics::INTEGRANDS)
+        .chain(pixel::INTEGRANDS)
 }
 
 /// The two words of x > 0 as a real: a significand of 32 bits, rounded, and an exponent.

@@ -62,6 +62,10 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/soft_shadow.glsl", "if (corput_real3_dot(edge, d).negative)", "if (false)"),
     mutant("points beyond the disk", Mismatch, Estimate("defocus-disk"),
         "corput/defocus.glsl", "if (!corput_real_less(corput_real_add(corput_real_square(x), corput_real_square(y)), one))", "if (false)"),
+    mutant("the other side of a pixel's edge", Mismatch, Estimate("pixel-edge"),
+        "corput/pixel_edge.glsl", "if (!corput_real_less(across, edge.z))", "if (corput_real_less(across, edge.z))"),
+    mutant("one half of a filter", Mismatch, Estimate("pixel-edge"),
+        "corput/pixel_edge.glsl", "d.e, u < 0x80000000u", "d.e, false"),
     mutant("a peak that reaches below 0", Mismatch, Estimate("gaussian-peak"),
         "corput/keister.glsl", "uint(x.negative) | uint(", "uint("),
 ];
