@@ -83,6 +83,10 @@ impl Estimator {
         words: &[u32],
     ) -> Result<Self> {
         problem.check(request, 0, request.count)?;
+        let longest = longest_estimate(&request.columns, problem.id());
+        if longest == 0 {
+            return Err(too_wide(request));
+        }
         let values = plan.specializations.first().map_or(&[][..], Vec::as_slice);
         let pipeline = pipeline(device, plan.kernel, words, values)?;
         Ok(Self {
@@ -97,7 +101,7 @@ impl Estimator {
             tables: bulk_words(device, problem)?,
             first: request.first,
             count: request.count,
-            longest: longest_estimate(&request.columns, problem.id()),
+            longest,
             limit: BUFFER_BYTES / 4 / RECORD,
             chunk: FIRST,
             problem: problem.clone(),
@@ -279,6 +283,20 @@ impl Estimator {
         let ideal = points as f64 * (TARGET_NS / spent).min(GROWTH);
         let most = (self.limit * u64::from(self.longest)).min(u64::from(u32::MAX >> 1));
         self.chunk = (ideal as u64).clamp(1 << 10, most);
+    }
+}
+
+/// The error for more columns of a kind than a point may take.
+fn too_wide(request: &Request) -> Error {
+    Error::Arguments {
+        asked: format!(
+            "an estimate over {} dimensions of {}",
+            request.columns.len(),
+            request.sequence.name()
+        ),
+        limit: "a point may take more than the 65535 iterations that some drivers allow".into(),
+        remedy: "take fewer dimensions, a plainer scramble such as owen-hash, or --device cpu"
+            .into(),
     }
 }
 

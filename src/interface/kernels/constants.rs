@@ -118,6 +118,11 @@ pub(super) const COEFFICIENTS: Binding = Binding {
     element: Element::Rows(1 + ESTIMATE_DIMENSIONS),
     input: true,
 };
+/// The same of any number of dimensions.
+pub(super) const WIDE_COEFFICIENTS: Binding = Binding {
+    element: Element::Uvec4,
+    ..COEFFICIENTS
+};
 /// What it says in bulk: the texels and distribution of a map.
 pub(super) const TABLES: Binding = Binding {
     binding: 3,

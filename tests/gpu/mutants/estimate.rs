@@ -66,6 +66,8 @@ pub const MUTANTS: &[Mutant] = &[
         "corput/pixel_edge.glsl", "if (!corput_real_less(across, edge.z))", "if (corput_real_less(across, edge.z))"),
     mutant("one half of a filter", Mismatch, Estimate("pixel-edge"),
         "corput/pixel_edge.glsl", "d.e, u < 0x80000000u", "d.e, false"),
+    mutant("factors without their weight", Mismatch, Estimate("product"),
+        "corput/genz.glsl", "corput_real_multiply(product, corput_genz_linear(least, u, c))", "corput_real_multiply(product, least)"),
     mutant("a peak that reaches below 0", Mismatch, Estimate("gaussian-peak"),
         "corput/keister.glsl", "uint(x.negative) | uint(", "uint("),
 ];
