@@ -10,7 +10,7 @@
 #include "corput/pixel_edge.glsl"
 #include "corput/single_scattering.glsl"
 #include "corput/soft_shadow.glsl"
-#define PREPARED(i) coefficients[(i) >> 2u][(i) & 3u]
+#define PREPARED(i) COEFFICIENT((i) >> 2u)[(i) & 3u]
 #include "prepared_spherical.glsl"
 
 const uint SKY_UNIFORM = 128u;
@@ -85,7 +85,7 @@ CorputReal integrand_lens(uvec2 u) {
 
 CorputReal integrand_scattering(uvec3 u) {
     CorputReal depth = prepared_real(2u);
-    float g = uintBitsToFloat(coefficients[0].x);
+    float g = uintBitsToFloat(COEFFICIENT(0u).x);
     CorputHenyeyGreenstein h = corput_henyey_greenstein_prepare(g);
     if (INTEGRAND == SCATTERING_UNIFORM) {
         return corput_scattering_uniform(h, depth, u);

@@ -97,6 +97,22 @@ pub fn column_words(column: Column, window: u32) -> Vec<u32> {
     }
 }
 
+/// The words of columns as the table of a kernel has them, in whole rows and without
+/// odometers.
+#[must_use]
+pub fn column_table(columns: &[Column]) -> Vec<u32> {
+    columns
+        .iter()
+        .flat_map(|&one| padded(column_words(one, 0)))
+        .collect()
+}
+
+/// A column's words in whole rows.
+pub(super) fn padded(mut words: Vec<u32>) -> Vec<u32> {
+    words.resize(words.len().next_multiple_of(4), 0);
+    words
+}
+
 /// Points that an invocation may make in a row: as many as the column's odometer allows,
 /// just below 3^5, 5^3 or 7^2; and so few of the costly kinds that the loops of four
 /// columns stay below the 65,535 iterations after which llvmpipe ends an invocation.

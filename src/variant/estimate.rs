@@ -16,6 +16,9 @@ const GROUPS: [&str; 3] = ["estimate", "estimate_environment", "estimate_scene"]
 /// That of many dimensions.
 const WIDE: &str = "estimate_wide";
 
+/// That of pictures.
+const PIXELS: &str = "estimate_pixels";
+
 /// Iterations of an invocation's loops that are safe: llvmpipe ends it after 65,535, and was
 /// seen to count a fifth more than a loop seems to have.
 const TURNS: u32 = 40_000;
@@ -62,6 +65,18 @@ pub fn general_estimate(columns: &[Column], integrand: u32) -> Plan {
 /// Whether uniform blocks do not hold the words of so many columns.
 fn wide(columns: &[Column]) -> bool {
     columns.len() > ESTIMATE_DIMENSIONS as usize
+}
+
+/// The kernel for sums of an integrand of a scene over points of each pixel of a picture, whose
+/// coefficients take so many rows.
+#[must_use]
+pub fn plan_pixels(columns: &[Column], integrand: u32, rows: u32) -> Plan {
+    let mut plan = tabled(kernel(PIXELS, family(columns)), columns, 0);
+    plan.set("TILE", 1);
+    plan.set("DIMENSIONS", columns.len() as u32);
+    plan.set("INTEGRAND", integrand);
+    plan.set("PIXEL_ROWS", rows);
+    plan
 }
 
 /// The same plan for other columns of the same shape, which differ in seed, in number of

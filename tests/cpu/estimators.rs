@@ -97,7 +97,7 @@ fn maps_and_axes_are_refused_in_words() {
             "at most the elevation",
         ),
         ("ggx-furnace:alpha=0.01", "from 0.1 to 1"),
-        ("soft-shadow:edge=1", "from -0.999 to 0.999"),
+        ("soft-shadow:edge=2", "from -1.04 to 1.04"),
         ("pixel-edge:radius=0.1", "from 0.25 to 16"),
         ("gaussian-peak:sigma=2", "from 1e-6 to 1"),
     ] {

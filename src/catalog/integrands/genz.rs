@@ -37,6 +37,7 @@ const BASE: Integrand = Integrand {
     prepare: |_| Err(0),
     truth: |_| 0.0,
     error: 2.5e-7,
+    picture: None,
     finite_variance: true,
     examples: &[
         (&[0.001], 1),

@@ -39,6 +39,10 @@ pub(super) const INTEGRANDS: &[Integrand] = &[Integrand {
     estimators: &["uniform", "filter"],
     prepare: pixel,
     truth: covered,
+    picture: Some(|values, [x, y], _| {
+        let (sine, cosine) = values[0].sin_cos();
+        vec![values[0], values[1] - x * cosine - y * sine, values[2]]
+    }),
     examples: &[
         (&[0.4, 0.3, 1.0], 2),
         (&[0.0, 0.0, 0.5], 2),

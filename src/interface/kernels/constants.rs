@@ -54,6 +54,13 @@ pub(super) const PART: Constant = Constant {
     default: 0,
 };
 
+/// Rows of the coefficients of a pixel.
+pub(super) const PIXEL_ROWS: Constant = Constant {
+    id: 7,
+    name: "PIXEL_ROWS",
+    default: 1,
+};
+
 /// Which discrepancy.
 pub(super) const KIND: Constant = Constant {
     id: 9,
