@@ -1,4 +1,4 @@
-//! Genz's families, a Gaussian peak, Sobol's g and linear factors: products and sums over dimensions.
+//! Genz's families, a Gaussian peak and Sobol's g: products and sums over dimensions.
 //!
 //! Genz draws c_j at random and scales their sum to a difficulty; here c_j grows with j,
 //! (2 j + 1) difficulty / d^2, and w_j = frac((j + 1) (sqrt(5) - 1) / 2) to 32 bits, for j
@@ -26,7 +26,7 @@ const fn difficulty(default: &'static [f64]) -> Parameter {
 }
 
 /// What these integrands have in common.
-const BASE: Integrand = Integrand {
+pub(super) const BASE: Integrand = Integrand {
     name: "",
     id: 0,
     dimensions: (1, 64),
@@ -205,43 +205,6 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         source: "Saltelli and Sobol 1995",
         ..BASE
     },
-    Integrand {
-        name: "product",
-        id: integrand::PRODUCT,
-        dimensions: (1, 4096),
-        parameters: &[
-            Parameter {
-                name: "weight",
-                size: 1,
-                default: Some(&[1.0]),
-                domain: "it must be from 0.001 to 2, and so small for its dimensions that the mean \
-                         is at least 2^-34 of the peak",
-                summary: "c_1",
-            },
-            Parameter {
-                name: "decay",
-                size: 1,
-                default: Some(&[2.0]),
-                domain: "it must be from 0 to 4",
-                summary: "how fast c_j falls: 0 where all variables matter alike",
-            },
-        ],
-        prepare: |s| product(s.values, s.dimensions),
-        truth: |_| 1.0,
-        // 4096 steps, each cut by 2^-29.9 at most, and of 2^-30.5 at an end.
-        error: 4e-6,
-        examples: &[
-            (&[1.0, 2.0], 8),
-            (&[2.0, 0.0], 1),
-            (&[2.0, 0.0], 34),
-            (&[0.04, 0.0], 1000),
-            (&[1.0, 2.0], 1024),
-        ],
-        summary: "linear factors of declining weight, for hundreds of dimensions",
-        formula: "product of 1 + c_j (x_j - 1/2), c_j = weight / j^decay, j from 1 on",
-        source: "Sobol and Asotsky 2003; Owen 2003",
-        ..BASE
-    },
 ];
 
 /// c_j.
@@ -273,7 +236,7 @@ fn peaked(values: &[f64], dimensions: u32, of: fn(f64) -> f64, peak: f64) -> Che
 }
 
 /// Refuses what would lose its mean below the unit of its terms.
-fn dominant(made: Checked, truth: f64) -> Checked {
+pub(super) fn dominant(made: Checked, truth: f64) -> Checked {
     made.and_then(|made| {
         let kept = truth >= LEAST_SHARE * made.peak;
         kept.then_some(made).ok_or(0)
@@ -391,17 +354,4 @@ fn sobol_g(values: &[f64], dimensions: u32) -> Checked {
         weights.map(column).collect(),
         peak,
     ))
-}
-
-fn product(values: &[f64], dimensions: u32) -> Checked {
-    let weight = within(values, 0, 0.001, 2.0)?;
-    let decay = within(values, 1, 0.0, 4.0)?;
-    let weights = (1..=dimensions).map(|j| weight * f64::from(j).powf(-decay));
-    let column = |c: f64| {
-        let [[m, e], [share_m, share_e]] = [real_words(1.0 - 0.5 * c), real_words(c)];
-        [m, e, share_m, share_e]
-    };
-    let peak = weights.clone().map(|c| 1.0 + 0.5 * c).product();
-    let columns = weights.map(column).collect();
-    dominant(Ok(Coefficients::real([0; 4], columns, peak)), 1.0)
 }

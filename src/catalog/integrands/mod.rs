@@ -18,6 +18,7 @@ mod low;
 mod optics;
 mod pixel;
 mod problem;
+mod product;
 mod quadrature;
 mod raster;
 mod scenes;
@@ -165,6 +166,7 @@ pub fn integrands() -> impl Iterator<Item = &'static Integrand> {
     low::INTEGRANDS
         .iter()
         .chain(genz::INTEGRANDS)
+        .chain(product::INTEGRANDS)
         .chain(irradiance::INTEGRANDS)
         .chain(scenes::INTEGRANDS)
         .chain(optics::INTEGRANDS)
