@@ -1,9 +1,12 @@
-// what:   Genz's six families of integrands and Sobol's g, dimension by dimension: a term or
-//         factor for each, and what the sum or product of them all gives.
-// source: Genz 1984, Testing multidimensional integration routines; Saltelli and Sobol 1995.
+// what:   Genz's six families of integrands, Sobol's g and products of linear factors,
+//         dimension by dimension: a term or factor for each, and what the sum or product of
+//         them all gives.
+// source: Genz 1984, Testing multidimensional integration routines; Saltelli and Sobol 1995;
+//         Sobol and Asotsky 2003.
 // domain: x = u 2^-32; coefficients as reals above 0, places w and phases as fractions of
-//         2^32; dimensions to 64.
-// range:  each step within 2^-29 of its result; a phase within 2^-32 of a turn a dimension.
+//         2^32; dimensions to 64, of products of linear factors any number.
+// range:  each step within 2^-29 of its result, a linear factor within 2^-29.9; a phase within
+//         2^-32 of a turn a dimension.
 // cost:   a step 5 to 100, an exponential at the end 60, a power 170 integer instructions.
 //         tier I.
 // hooks:  none.
@@ -65,6 +68,11 @@ CorputReal corput_genz_kink(CorputReal sum, uint u, uint w, CorputReal c) {
 CorputReal corput_sobol_g(CorputReal product, uint u, CorputReal a, CorputReal share) {
     CorputReal factor = corput_real_add(corput_real_shift(corput_genz_distance(u, 0x80000000u), 2), a);
     return corput_real_multiply(product, corput_real_multiply(factor, share));
+}
+
+// Linear factors: product (1 + c (x - 1/2)), given 1 - c/2 and c.
+CorputReal corput_linear_factor(CorputReal product, uint u, CorputReal least, CorputReal c) {
+    return corput_real_multiply(product, corput_genz_linear(least, u, c));
 }
 
 #endif

@@ -3,7 +3,19 @@
 #extension GL_EXT_control_flow_attributes : require
 // Exact sums of an integrand and of its square over consecutive points, one record an
 // invocation: no groups, no atomics, so no size of a group and no split shows in the bits.
+// With PIXELS over points of each pixel of a picture, whose columns and coefficients lie one
+// after the other.
 #include "interface.glsl"
+#ifdef PIXELS
+// Where the words of the invocation's pixel begin.
+uint pixel_columns;
+uint pixel_coefficients;
+#define COLUMN_AT(row) (pixel_columns + (row))
+#define COEFFICIENT(row) coefficients[pixel_coefficients + (row)]
+#else
+#define COLUMN_AT(row) (row)
+#define COEFFICIENT(row) coefficients[row]
+#endif
 #if defined RENDER_ENVIRONMENT
 #include "integrand_environment.glsl"
 #elif defined RENDER_SCENE
@@ -26,8 +38,8 @@ CorputSum tile_sum(CorputSum sum, uint index, uint count, uvec4 head) {
         states[k] = integrand_start(head);
     }
     [[dont_unroll]] for (uint j = 0u; j < DIMENSIONS; j++) {
-        Column c = column_load(j * COLUMN_ROWS);
-        uvec4 words = coefficients[1u + j];
+        Column c = column_load(COLUMN_AT(j * COLUMN_ROWS));
+        uvec4 words = COEFFICIENT(1u + j);
         Cursor cursor = cursor_start(index, c);
         [[unroll]] for (uint k = 0u; k < TILE; k++) {
             states[k] = integrand_step(states[k], j, cursor_value(cursor, c), head, words);
@@ -44,7 +56,7 @@ CorputSum tile_sum(CorputSum sum, uint index, uint count, uvec4 head) {
 
 CorputSum run_sum(uint index, uint count) {
     CorputSum sum = corput_sum_zero();
-    uvec4 head = coefficients[0];
+    uvec4 head = COEFFICIENT(0u);
     [[dont_unroll]] for (uint done = 0u; done < count; done += TILE) {
         sum = tile_sum(sum, index + done, count - done, head);
     }
@@ -105,7 +117,15 @@ void main() {
     if (i >= push.invocations) {
         return;
     }
-    uint start = i * push.run;
+    uint part = i;
+#ifdef PIXELS
+    uint parts = (push.count + push.run - 1u) / push.run;
+    uint pixel = i / parts;
+    part = i - pixel * parts;
+    pixel_columns = pixel * DIMENSIONS * COLUMN_ROWS;
+    pixel_coefficients = pixel * PIXEL_ROWS;
+#endif
+    uint start = part * push.run;
     uint count = min(push.run, push.count - start);
     CorputSum sum = run_sum(push.first + start, count);
     results[3u * i] = sum.total;

@@ -24,6 +24,7 @@ const uint PEAK_UNIFORM = 13u;
 const uint PEAK_NORMAL = 14u;
 const uint KEISTER = 15u;
 const uint SQUARE_OF_SUM = 16u;
+const uint PRODUCT = 17u;
 
 // What the coordinates so far come to: a sum or product of reals, or a word; and the first
 // three of them.
@@ -43,7 +44,7 @@ Integrand integrand_start(uvec4 head) {
     if (INTEGRAND == OSCILLATORY) {
         state.word = head.x;
     }
-    if (INTEGRAND == PRODUCT_PEAK || INTEGRAND == SOBOL_G) {
+    if (INTEGRAND == PRODUCT_PEAK || INTEGRAND == SOBOL_G || INTEGRAND == PRODUCT) {
         state.real = corput_real_uint(1u, 0);
     }
     return state;
@@ -87,6 +88,9 @@ Integrand integrand_step(Integrand state, uint dimension, uint u, uvec4 head, uv
     }
     if (INTEGRAND == SOBOL_G) {
         next.real = corput_sobol_g(state.real, u, integrand_real(c.xy), integrand_real(c.zw));
+    }
+    if (INTEGRAND == PRODUCT) {
+        next.real = corput_linear_factor(state.real, u, integrand_real(c.xy), integrand_real(c.zw));
     }
     if (INTEGRAND == SQUARE_OF_SUM) {
         next.real = corput_real_add(state.real, corput_real_uint(u, -32));

@@ -8,9 +8,10 @@
 #include "corput/ggx_furnace.glsl"
 #include "corput/highlight.glsl"
 #include "corput/lambert.glsl"
+#include "corput/pixel_edge.glsl"
 #include "corput/single_scattering.glsl"
 #include "corput/soft_shadow.glsl"
-#define PREPARED(i) coefficients[(i) >> 2u][(i) & 3u]
+#define PREPARED(i) COEFFICIENT((i) >> 2u)[(i) & 3u]
 #include "prepared_spherical.glsl"
 
 const uint SKY_UNIFORM = 128u;
@@ -35,6 +36,8 @@ const uint LOBE_UNIFORM = 152u;
 const uint LOBE_GGX = 153u;
 const uint LOBE_LIGHT = 154u;
 const uint LOBE_MIS = 155u;
+const uint PIXEL_UNIFORM = 156u;
+const uint PIXEL_FILTER = 157u;
 
 CorputGgx prepared_ggx(uint i) {
     return CorputGgx(prepared_real(i), prepared_real(i + 1u), prepared_real3(i + 2u), prepared_real3(i + 5u),
@@ -88,7 +91,7 @@ CorputReal integrand_lens(uvec2 u) {
 
 CorputReal integrand_scattering(uvec3 u) {
     CorputReal depth = prepared_real(2u);
-    float g = uintBitsToFloat(coefficients[0].x);
+    float g = uintBitsToFloat(COEFFICIENT(0u).x);
     CorputHenyeyGreenstein h = corput_henyey_greenstein_prepare(g);
     if (INTEGRAND == SCATTERING_UNIFORM) {
         return corput_scattering_uniform(h, depth, u);
@@ -126,6 +129,14 @@ CorputReal integrand_lobe(uvec3 u) {
     return corput_highlight_mis(g, light, u);
 }
 
+CorputReal integrand_pixel(uvec2 u) {
+    CorputReal3 edge = prepared_real3(2u);
+    if (INTEGRAND == PIXEL_UNIFORM) {
+        return corput_pixel_uniform(edge, u);
+    }
+    return corput_pixel_filter(edge, u);
+}
+
 CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     CorputReal real = corput_real_zero();
     if (INTEGRAND < POLYGON_UNIFORM) {
@@ -146,8 +157,11 @@ CorputTerm integrand_term(Integrand state, uvec4 head, int scale) {
     if (INTEGRAND >= SHADOW_UNIFORM && INTEGRAND < LOBE_UNIFORM) {
         real = integrand_shadow(state.point.xyz);
     }
-    if (INTEGRAND >= LOBE_UNIFORM) {
+    if (INTEGRAND >= LOBE_UNIFORM && INTEGRAND < PIXEL_UNIFORM) {
         real = integrand_lobe(state.point.xyz);
+    }
+    if (INTEGRAND >= PIXEL_UNIFORM) {
+        real = integrand_pixel(state.point.xy);
     }
     return corput_term(real, scale);
 }

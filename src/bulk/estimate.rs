@@ -22,23 +22,13 @@ pub fn estimate(problem: &Problem, request: &Request, start: u64, count: u64) ->
     let threads = std::thread::available_parallelism().map_or(1, usize::from) as u64;
     let share = count.div_ceil(threads).max(1);
     let first = request.first + start;
-    let scale = problem.coefficients().scale;
-    let run = |begin: u64, end: u64| -> Result<Estimate> {
-        let mut total = Estimate::new(scale);
-        let mut at = begin;
-        while at < end {
-            let next = (at + RUN).min(end);
-            total = total.merged(sums(problem, &columns, first + at, next - at))?;
-            at = next;
-        }
-        Ok(total)
-    };
+    let run = |begin: u64| run(problem, &columns, first + begin, share.min(count - begin));
     std::thread::scope(|scope| {
         let begins = (0..count).step_by(share as usize);
         let parts: Vec<_> = begins
-            .map(|begin| scope.spawn(move || run(begin, (begin + share).min(count))))
+            .map(|begin| scope.spawn(move || run(begin)))
             .collect();
-        let mut total = Estimate::new(scale);
+        let mut total = Estimate::new(problem.coefficients().scale);
         for part in parts {
             // A panic of a thread is a bug, and one here too.
             let part = part.join().unwrap_or_else(|panic| resume_unwind(panic));
@@ -46,6 +36,23 @@ pub fn estimate(problem: &Problem, request: &Request, start: u64, count: u64) ->
         }
         Ok(total)
     })
+}
+
+/// The same on one core.
+pub(super) fn run(
+    problem: &Problem,
+    columns: &[Prepared],
+    first: u64,
+    count: u64,
+) -> Result<Estimate> {
+    let mut total = Estimate::new(problem.coefficients().scale);
+    let mut done = 0;
+    while done < count {
+        let points = RUN.min(count - done);
+        total = total.merged(sums(problem, columns, first + done, points))?;
+        done += points;
+    }
+    Ok(total)
 }
 
 fn sums(problem: &Problem, columns: &[Prepared], first: u64, count: u64) -> Estimate {

@@ -8,7 +8,7 @@ use crate::interface::integrand;
 use crate::reference::exponential::real_exp;
 use crate::reference::genz::{
     genz_corner, genz_kink, genz_linear, genz_oscillation, genz_peak, genz_phase, genz_square,
-    sobol_g,
+    linear_factor, sobol_g,
 };
 use crate::reference::integrand::{
     checkerboard_cell, disk_step, indicator, inverse_root, ishigami, offset_fraction, x_squared,
@@ -76,7 +76,7 @@ impl State {
                 real: real_zero(),
                 word: problem.coefficients().head[0],
             },
-            integrand::PRODUCT_PEAK | integrand::SOBOL_G => Self {
+            integrand::PRODUCT_PEAK | integrand::SOBOL_G | integrand::PRODUCT => Self {
                 real: real_uint(1, 0),
                 word: 0,
             },
@@ -108,6 +108,9 @@ impl State {
             }
             integrand::SOBOL_G => {
                 self.real = sobol_g(self.real, u, real([m, e]), real([column[2], column[3]]));
+            }
+            integrand::PRODUCT => {
+                self.real = linear_factor(self.real, u, real([m, e]), real([column[2], column[3]]));
             }
             integrand::SQUARE_OF_SUM => self.real = real_add(self.real, real_uint(u, -32)),
             _ => {}

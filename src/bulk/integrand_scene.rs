@@ -12,6 +12,7 @@ use crate::reference::highlight::{
 use crate::reference::lambert::{
     lambert_cosine, lambert_light, lambert_mis, lambert_uniform, sky_cosine, sky_uniform,
 };
+use crate::reference::pixel_edge::{pixel_filter, pixel_uniform};
 use crate::reference::real::{Real, real_zero};
 use crate::reference::real_vector::Real3;
 use crate::reference::single_scattering::{scattering_phase, scattering_uniform};
@@ -93,6 +94,8 @@ pub(super) fn scene_term(problem: &Problem, point: &[u32]) -> Real {
             let (g, light) = lobe();
             highlight_mis(g, light, u)
         }
+        integrand::PIXEL_UNIFORM => pixel_uniform(Real3::of(words), u.xy()),
+        integrand::PIXEL_FILTER => pixel_filter(Real3::of(words), u.xy()),
         _ => real_zero(),
     }
 }

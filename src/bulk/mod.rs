@@ -8,6 +8,7 @@ mod integrand_scene;
 mod irradiance;
 mod maps;
 mod pairs;
+mod pixels;
 mod stored;
 
 pub use estimate::estimate;
@@ -18,6 +19,7 @@ pub use pairs::{
     Columns, MAX_PAIR_DIMENSIONS, NearestWords, l2_from_sum, nearest_words, pair_kind_of,
     pair_scale, pair_sum,
 };
+pub use pixels::estimate_pixels;
 pub use stored::Stored;
 
 use crate::Result;

@@ -13,7 +13,8 @@ mod sequence;
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use guide::Guide;
 pub use integrands::{
-    AXES, Coefficients, Integrand, LightMap, MIS, Problem, Setting, examples, integrands,
+    AXES, Coefficients, Integrand, LightMap, MIS, Picture, Problem, Raster, Setting, examples,
+    integrands,
 };
 pub use maps::{Group, Map, Mapping, Parameter, Words, maps};
 pub use request::{Engine, Options, Output, Request, check_map};

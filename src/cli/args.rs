@@ -239,6 +239,14 @@ pub struct EstimateArgs {
     /// Index of the first point.
     #[arg(long, visible_alias = "first", value_parser = whole, allow_hyphen_values = true, default_value = "0")]
     pub start: u64,
+    /// A picture of so many pixels, as 64x48, with --count points for each: of pixel-edge and
+    /// soft-shadow.
+    #[arg(long, value_parser = super::pixels::size)]
+    pub pixels: Option<[u32; 2]>,
+    /// Write the picture: .npy has mean, variance and count, .exr the means, .png the means as
+    /// shares of the largest.
+    #[arg(long)]
+    pub out: Option<PathBuf>,
     /// Device by index or part of its name; `cpu` for the reference.
     #[arg(long)]
     pub device: Option<String>,

@@ -1,10 +1,9 @@
 //! `corput estimate`.
 
 use super::args::EstimateArgs;
-use super::{host, interrupt, print, progress};
-use corput::Result;
+use super::{host, interrupt, pixels, print, progress};
 use corput::bulk;
-use corput::catalog::{Options, Problem, Request, Sampler, Scramble};
+use corput::catalog::{Options, Problem, Raster, Request, Sampler, Scramble};
 use corput::estimate::Estimate;
 use corput::interface::Column;
 use corput::kernels::Estimator;
@@ -17,10 +16,15 @@ pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
         problem = problem.with_estimator(name)?;
     }
     let sampler = Sampler::parse(&args.sampler)?;
-    let request = request(args, sampler, &problem)?;
+    let options = options(args, sampler, &problem);
+    let request = Request::new(&options)?;
     for warning in request.warnings.iter().chain(&sampler.lost_at(args.count)) {
         eprintln!("corput: warning: {warning}");
     }
+    if let Some(size) = args.pixels {
+        return pixels::run(args, &Raster::new(&problem, &options, size)?, &request);
+    }
+    pixels::refuse(args)?;
     let result = made(args, &problem, &request)?;
     if args.json {
         let document = document(&problem, &request, &result);
@@ -32,15 +36,15 @@ pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
 }
 
 /// The points, of which the integrand says the dimensions.
-fn request(args: &EstimateArgs, sampler: Sampler, problem: &Problem) -> Result<Request> {
-    Request::new(&Options {
+fn options(args: &EstimateArgs, sampler: Sampler, problem: &Problem) -> Options {
+    Options {
         first: args.start,
         dimensions: Some(problem.dimensions().into()),
         seed: args.seed,
         scramble: sampler.scramble(),
         fractions: true,
         ..Options::new(sampler.sequence(), args.count)
-    })
+    }
 }
 
 /// An estimate, and what made it.
@@ -99,22 +103,26 @@ fn sampler(request: &Request) -> String {
     }
 }
 
+/// What is estimated, by what points.
+pub fn heading(problem: &Problem, request: &Request, count: u64) -> String {
+    format!(
+        "{}{} in {} dimension{}, {count} points of {} from {} on",
+        problem.integrand().name,
+        problem
+            .estimator()
+            .map_or(String::new(), |name| format!(" by {name}")),
+        problem.dimensions(),
+        if problem.dimensions() == 1 { "" } else { "s" },
+        sampler(request),
+        request.first,
+    )
+}
+
 fn text(problem: &Problem, request: &Request, made: &Made) -> String {
     let estimate = &made.estimate;
     let mean = estimate.mean().unwrap_or(f64::NAN);
     let mut lines = vec![
-        format!(
-            "{}{} in {} dimension{}, {} points of {} from {} on",
-            problem.integrand().name,
-            problem
-                .estimator()
-                .map_or(String::new(), |name| format!(" by {name}")),
-            problem.dimensions(),
-            if problem.dimensions() == 1 { "" } else { "s" },
-            estimate.count(),
-            sampler(request),
-            request.first,
-        ),
+        heading(problem, request, estimate.count()),
         format!("mean            {mean}"),
         format!("truth           {}", problem.truth()),
         format!("error           {:+.3e}", mean - problem.truth()),
@@ -146,8 +154,8 @@ fn text(problem: &Problem, request: &Request, made: &Made) -> String {
     lines.join("\n")
 }
 
-fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
-    let estimate = &made.estimate;
+/// The parameters of a problem by name.
+pub fn parameters(problem: &Problem) -> Map<String, Value> {
     let parameters = problem.integrand().parameters.iter();
     let mut parameters: Map<String, Value> = parameters
         .zip(problem.values())
@@ -160,13 +168,18 @@ fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
     if let Some(map) = problem.map() {
         parameters.insert("map".to_owned(), json!(map.name()));
     }
+    parameters
+}
+
+fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
+    let estimate = &made.estimate;
     let independent = independent(request);
     let mean = estimate.mean();
     json!({
         "integrand": problem.integrand().name,
         "estimator": problem.estimator(),
         "dimensions": problem.dimensions(),
-        "parameters": parameters,
+        "parameters": parameters(problem),
         "sampler": request.sequence.name(),
         "scramble": request.scramble.name(),
         "seed": request.seed,

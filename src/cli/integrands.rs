@@ -45,6 +45,9 @@ fn text(integrand: &'static Integrand) -> String {
             integrand.estimators.join(", ")
         ));
     }
+    if integrand.picture.is_some() {
+        lines.push("    a picture by estimate --pixels 64x48".to_owned());
+    }
     if let Ok(problem) = Problem::new(integrand, &[]) {
         lines.push(format!("    integral by default: {}", problem.truth()));
     }

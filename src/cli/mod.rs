@@ -18,6 +18,7 @@ mod interrupt;
 mod maps;
 mod mask;
 mod measure;
+mod pixels;
 mod plot;
 mod points;
 mod progress;

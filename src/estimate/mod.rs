@@ -1,8 +1,10 @@
 //! Estimates: a count, and exact sums of terms and of their squares. They merge in any
 //! grouping to the same bits, and only what is read from them is rounded, once.
 
+mod pixels;
 mod wide;
 
+pub use pixels::Pixels;
 pub use wide::U256;
 
 use crate::{Error, Result};

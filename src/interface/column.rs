@@ -174,6 +174,10 @@ pub mod purpose {
     pub const KOROBOV: u32 = 25;
     /// Rotation of the additive recurrence.
     pub const ADDITIVE: u32 = 26;
+    /// Seed of a pixel, whose number is in place of the dimension.
+    pub const PIXEL: u32 = 27;
+    /// Its upper half.
+    pub const PIXEL_HIGH: u32 = 28;
 }
 
 impl Column {

@@ -22,7 +22,8 @@ pub use push::{
 /// Parameters of a map: bits of floats.
 pub const MAP_PARAMETERS: usize = 16;
 
-/// Dimensions of an integrand at most: those whose words a uniform block holds.
+/// Dimensions of an integrand whose words uniform blocks hold; more take a kernel that reads
+/// them from storage buffers.
 pub const ESTIMATE_DIMENSIONS: u32 = 64;
 
 /// Words of a map's tables that one buffer holds: 128 MiB, which every device allows.
@@ -170,6 +171,8 @@ pub mod integrand {
     pub const KEISTER: u32 = 15;
     /// Square of the sum of all coordinates.
     pub const SQUARE_OF_SUM: u32 = 16;
+    /// Product of linear factors.
+    pub const PRODUCT: u32 = 17;
 
     /// Irradiance of a map, by uniform directions.
     pub const IRRADIANCE_UNIFORM: u32 = 64;
@@ -224,6 +227,10 @@ pub mod integrand {
     pub const LOBE_LIGHT: u32 = 154;
     /// By half of each of the last two.
     pub const LOBE_MIS: u32 = 155;
+    /// Edge in a pixel, by uniform points of the filter's square.
+    pub const PIXEL_UNIFORM: u32 = 156;
+    /// By the filter.
+    pub const PIXEL_FILTER: u32 = 157;
 }
 
 /// Values of the constant `KIND` of `pairs`.

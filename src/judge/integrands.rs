@@ -74,6 +74,12 @@ pub fn integrand(name: &str, values: &[f64], point: &[u32]) -> f64 {
             };
             x.iter().enumerate().map(factor).product()
         }
+        "product" => {
+            let factor = |(j, x): (usize, &f64)| {
+                1.0 + values[0] * (j as f64 + 1.0).powf(-values[1]) * (x - 0.5)
+            };
+            x.iter().enumerate().map(factor).product()
+        }
         _ => f64::NAN,
     }
 }

@@ -1,6 +1,7 @@
-//! A lens, a medium and a shadow in `f64`, sample by sample.
+//! A lens, a medium, a shadow and a pixel in `f64`, sample by sample.
 
 use super::lights::sphere_light;
+use super::line::{filter_box, filter_tent};
 use super::spherical::uniform_sphere;
 use super::{
     concentric_disk, cosine_hemisphere, henyey_greenstein, henyey_greenstein_pdf, polar_disk,
@@ -20,6 +21,7 @@ pub(super) fn optics(name: &str, estimator: &str, values: &[f64], u: [u32; 3]) -
         "defocus-disk" => lens(estimator, values, pair),
         "henyey-greenstein" => scattering(estimator, values, u),
         "soft-shadow" => shadow(estimator, values, u),
+        "pixel-edge" => pixel(estimator, values, pair),
         _ => [f64::NAN; 2],
     }
 }
@@ -96,6 +98,27 @@ fn shadow(estimator: &str, values: &[f64], [x, y, choice]: [u32; 3]) -> [f64; 2]
             } else {
                 within(&[dot(drawn, edge)], mixed(drawn[2]))
             }
+        }
+        _ => [f64::NAN; 2],
+    }
+}
+
+fn pixel(estimator: &str, values: &[f64], u: [u32; 2]) -> [f64; 2] {
+    let (sine, cosine) = values[0].sin_cos();
+    let radius = values[2];
+    // Floats of the normal and of the offset, in radii, are off by shares of their size.
+    let size = 1.0 + values[1].abs() / radius;
+    let margin = |x: f64, y: f64| ((values[1] - x * cosine - y * sine) / radius) / size;
+    let of = |axis: fn(f64, u32) -> [f64; 2]| u.map(|u| axis(radius, u));
+    match estimator {
+        "uniform" => {
+            let [[x, p], [y, q]] = of(filter_box);
+            let tent = |x: f64| (1.0 - x.abs() / radius) / radius;
+            within(&[margin(x, y)], tent(x) * tent(y) / (p * q))
+        }
+        "filter" => {
+            let [[x, _], [y, _]] = of(filter_tent);
+            within(&[margin(x, y)], 1.0)
         }
         _ => [f64::NAN; 2],
     }

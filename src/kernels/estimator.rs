@@ -1,6 +1,7 @@
 //! Exact sums of an integrand over points that never leave the device.
 
 use super::points::{BUFFER_BYTES, add, table};
+use super::records::{BUSY, BUSY_CPU, FIRST, RECORD, next_chunk, read};
 use super::{groups, pipeline, spirv};
 use crate::catalog::{Problem, Request};
 use crate::estimate::Estimate;
@@ -10,24 +11,8 @@ use crate::vulkan::{Access, Buffer, Device, DeviceKind, Pipeline, Timing};
 use crate::{Error, Result};
 use std::sync::Arc;
 
-/// Points of the first dispatch: short on the slowest device.
-const FIRST: u64 = 1 << 14;
-
-/// A dispatch should take about this long, and is made at most so many times longer at
-/// once.
-const TARGET_NS: f64 = 1e8;
-const GROWTH: f64 = 8.0;
-
-/// Invocations that keep a GPU busy.
-const BUSY: u64 = 1 << 16;
-
-/// Invocations that keep the cores of a CPU evenly busy, and a number of points that an
-/// invocation sums at about the price of fewer.
-const BUSY_CPU: u64 = 1 << 10;
+/// A number of points that an invocation of a CPU sums at about the price of fewer.
 const CHEAP: u64 = 16;
-
-/// Bytes of an invocation's record.
-const RECORD: u64 = 48;
 
 /// Estimates an integral over the points of a request, and then over those of others that
 /// differ in seed, first point or number of points: [`Self::set_request`].
@@ -83,6 +68,10 @@ impl Estimator {
         words: &[u32],
     ) -> Result<Self> {
         problem.check(request, 0, request.count)?;
+        let longest = longest_estimate(&request.columns, problem.id());
+        if longest == 0 {
+            return Err(too_wide(request));
+        }
         let values = plan.specializations.first().map_or(&[][..], Vec::as_slice);
         let pipeline = pipeline(device, plan.kernel, words, values)?;
         Ok(Self {
@@ -97,7 +86,7 @@ impl Estimator {
             tables: bulk_words(device, problem)?,
             first: request.first,
             count: request.count,
-            longest: longest_estimate(&request.columns, problem.id()),
+            longest,
             limit: BUFFER_BYTES / 4 / RECORD,
             chunk: FIRST,
             problem: problem.clone(),
@@ -207,13 +196,7 @@ impl Estimator {
         let timing = self
             .device
             .run(&self.pipeline, &buffers, &push.bytes(), groups)?;
-        let records = self.results.read(0, RECORD * invocations, |bytes| {
-            let words: Vec<[u32; 12]> = bytemuck::pod_collect_to_vec(bytes);
-            let record = |[a, b, c, d, e, f, g, h, i, j, count, _]: [u32; 12]| {
-                Estimate::from_words(count, scale, [a, b, c, d], [e, f, g, h, i, j])
-            };
-            words.into_iter().map(record).collect()
-        })?;
+        let records = read(&mut self.results, invocations, scale)?;
         Ok((records, timing))
     }
 
@@ -275,10 +258,22 @@ impl Estimator {
     }
 
     fn adapt(&mut self, points: u64, timing: &Timing) {
-        let spent = timing.device_ns.unwrap_or(timing.host_ns).max(1.0);
-        let ideal = points as f64 * (TARGET_NS / spent).min(GROWTH);
         let most = (self.limit * u64::from(self.longest)).min(u64::from(u32::MAX >> 1));
-        self.chunk = (ideal as u64).clamp(1 << 10, most);
+        self.chunk = next_chunk(points, timing, most);
+    }
+}
+
+/// The error for more columns of a kind than a point may take.
+fn too_wide(request: &Request) -> Error {
+    Error::Arguments {
+        asked: format!(
+            "an estimate over {} dimensions of {}",
+            request.columns.len(),
+            request.sequence.name()
+        ),
+        limit: "a point may take more than the 65535 iterations that some drivers allow".into(),
+        remedy: "take fewer dimensions, a plainer scramble such as owen-hash, or --device cpu"
+            .into(),
     }
 }
 

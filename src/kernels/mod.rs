@@ -7,7 +7,9 @@ mod generator;
 mod irradiance;
 mod mapper;
 mod pairs;
+mod pixels;
 mod points;
+mod records;
 mod void_and_cluster;
 
 pub use elementary::Elementary;
@@ -17,6 +19,7 @@ pub use generator::Generator;
 pub use irradiance::{IrradianceSum, Irradiator};
 pub use mapper::Mapper;
 pub use pairs::Pairs;
+pub use pixels::PixelEstimator;
 pub use void_and_cluster::VoidAndCluster;
 
 use crate::interface::{KERNELS, Kernel};

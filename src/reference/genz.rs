@@ -1,10 +1,11 @@
-//! Genz's six families of integrands and Sobol's g, dimension by dimension: a term or
-//! factor for each, and what the sum or product of them all gives.
+//! Genz's six families of integrands, Sobol's g and products of linear factors, dimension by
+//! dimension: a term or factor for each, and what the sum or product of them all gives.
 //!
 //! Source: Genz 1984, Testing multidimensional integration routines; Saltelli and Sobol
-//! 1995. Domain: x = u 2^-32; coefficients as reals above 0, places w and phases as
-//! fractions of 2^32; dimensions to 64. Range: each step within 2^-29 of its result; a phase
-//! within 2^-32 of a turn a dimension. Tier I.
+//! 1995; Sobol and Asotsky 2003. Domain: x = u 2^-32; coefficients as reals above 0, places w
+//! and phases as fractions of 2^32; dimensions to 64, of products of linear factors any
+//! number. Range: each step within 2^-29 of its result, a linear factor within 2^-29.9; a
+//! phase within 2^-32 of a turn a dimension. Tier I.
 //! Mirror: `shaders/corput/genz.glsl`.
 
 use crate::reference::exponential::real_power;
@@ -86,4 +87,11 @@ pub fn genz_kink(sum: Real, u: u32, w: u32, c: Real) -> Real {
 pub fn sobol_g(product: Real, u: u32, a: Real, share: Real) -> Real {
     let factor = real_add(real_shift(genz_distance(u, 0x8000_0000), 2), a);
     real_multiply(product, real_multiply(factor, share))
+}
+
+/// Linear factors: product (1 + c (x - 1/2)), given 1 - c/2 and c.
+#[inline]
+#[must_use]
+pub fn linear_factor(product: Real, u: u32, least: Real, c: Real) -> Real {
+    real_multiply(product, genz_linear(least, u, c))
 }

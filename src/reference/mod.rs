@@ -79,6 +79,7 @@ pub mod normal_quantile;
 pub mod odometer;
 pub mod owen;
 pub mod permute;
+pub mod pixel_edge;
 pub mod pmj02;
 pub mod primes;
 pub mod radical_inverse;

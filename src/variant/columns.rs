@@ -89,6 +89,22 @@ pub fn column_words(column: Column, window: u32) -> Vec<u32> {
     }
 }
 
+/// The words of columns as the table of a kernel has them, in whole rows and without
+/// odometers.
+#[must_use]
+pub fn column_table(columns: &[Column]) -> Vec<u32> {
+    columns
+        .iter()
+        .flat_map(|&one| padded(column_words(one, 0)))
+        .collect()
+}
+
+/// A column's words in whole rows.
+pub(super) fn padded(mut words: Vec<u32>) -> Vec<u32> {
+    words.resize(words.len().next_multiple_of(4), 0);
+    words
+}
+
 /// Points that an invocation may make in a row: as many as the column's odometer allows,
 /// just below 3^5, 5^3 or 7^2; and so few of the costly kinds that the loops of four
 /// columns stay below the 65,535 iterations after which llvmpipe ends an invocation.
@@ -118,6 +134,40 @@ pub fn longest_run(column: &Column) -> u32 {
         _ => 240,
     }
 }
+
+/// Iterations of loops that a coordinate takes at most, without an odometer, where the turn
+/// that leaves a loop counts; of permutations, which walk until they are within, so many that
+/// hardly any takes more.
+pub(super) fn turns(column: &Column) -> u32 {
+    match column {
+        // Four groups of digits.
+        Column::Radical(prime) => 4 * (radical_base(*prime).digits + 1),
+        Column::Sobol {
+            scramble: NetScramble::Owen,
+            ..
+        } => OWEN_TURNS,
+        // One block more for the order of the points.
+        Column::Pmj02 { .. } => 2 * OWEN_TURNS,
+        Column::Random { generator, .. } => match generator {
+            Generator::Philox => PHILOX_TURNS,
+            Generator::Pcg4d => 0,
+            Generator::Pcg32 => 65,
+        },
+        // A long division.
+        Column::Grid(_) | Column::Korobov { .. } => 33,
+        // A walk takes ten, and every other leaves.
+        Column::Stratified { .. }
+        | Column::LatinHypercube { .. }
+        | Column::MultiJittered { .. }
+        | Column::Digits { .. } => 300,
+        _ => 0,
+    }
+}
+
+const PHILOX_TURNS: u32 = 11;
+
+/// Five blocks of Philox, with five levels of each, of which four are in a loop.
+const OWEN_TURNS: u32 = 5 * (PHILOX_TURNS + 6) + 5;
 
 /// Direction numbers with all that is linear in the index: bit b of the index sets bits b
 /// and b - 1 of its Gray code, and a matrix times a sum is the sum of its products.

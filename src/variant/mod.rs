@@ -6,6 +6,8 @@ mod estimate;
 mod plan;
 
 pub use bases::{odometer_base, radical_base};
-pub use columns::column_words;
-pub use estimate::{general_estimate, longest_estimate, plan_estimate, replan_estimate};
+pub use columns::{column_table, column_words};
+pub use estimate::{
+    general_estimate, longest_estimate, plan_estimate, plan_pixels, replan_estimate,
+};
 pub use plan::{FusedMap, Plan, Work, general, plan};

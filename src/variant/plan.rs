@@ -1,6 +1,6 @@
 //! Which kernel a job runs, with which constants.
 
-use super::columns::{column_words, longest_run};
+use super::columns::{column_words, longest_run, padded};
 use crate::interface::{COLUMN_STRIDE, Column, Family, KERNELS, KINDS, Kernel, output};
 
 /// A job in plain words.
@@ -123,12 +123,6 @@ pub(super) fn tabled(kernel: &'static Kernel, columns: &[Column], window: u32) -
         table: Some(words.into_iter().flat_map(padded).collect()),
         tile: 0,
     }
-}
-
-/// A column's words in whole rows.
-fn padded(mut words: Vec<u32>) -> Vec<u32> {
-    words.resize(words.len().next_multiple_of(4), 0);
-    words
 }
 
 /// A bit for each kind of column that occurs.

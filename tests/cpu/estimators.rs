@@ -97,13 +97,14 @@ fn maps_and_axes_are_refused_in_words() {
             "at most the elevation",
         ),
         ("ggx-furnace:alpha=0.01", "from 0.1 to 1"),
-        ("soft-shadow:edge=1", "from -0.999 to 0.999"),
         ("ggx-lobe:alpha=0.0001", "from 0.001 to 1"),
         (
             "ggx-lobe:cosine=0.1,radius=0.2,offset=0",
             "above the horizon",
         ),
         ("ggx-lobe:radius=0.1,offset=30", "above the horizon"),
+        ("soft-shadow:edge=2", "from -1.04 to 1.04"),
+        ("pixel-edge:radius=0.1", "from 0.25 to 16"),
         ("gaussian-peak:sigma=2", "from 1e-6 to 1"),
     ] {
         let error = Problem::parse(text).expect_err(text);
@@ -201,6 +202,7 @@ fn importance_lowers_the_variance() {
         ("ggx-lobe:alpha=0.5,radius=0.01", "light", "ggx", 100.0),
         ("ggx-lobe:alpha=0.5,radius=0.01", "mis", "ggx", 100.0),
         ("defocus-disk", "concentric", "square", 1.05),
+        ("pixel-edge", "filter", "uniform", 3.0),
     ] {
         let problem = problem(text);
         let (good, bad) = (spread(&by(&problem, better)), spread(&by(&problem, worse)));
@@ -269,6 +271,23 @@ fn hemisphere(cells: u32, of: impl Fn([f64; 3]) -> f64) -> f64 {
     sum * TAU / (n * n)
 }
 
+/// The probability that x cos + y sin is below an offset, for x and y of tents of radius 1,
+/// each the sum of two uniform numbers from -1/2 to 1/2: with s the sum of widths a, a, b, b,
+/// the alternating sum over their subsets of (offset + s/2 - subset)_+^4 / (4! a^2 b^2).
+fn spline(angle: f64, offset: f64) -> f64 {
+    // Floats, as the kernel has them.
+    let [a, b, offset] =
+        [angle.cos().abs(), angle.sin().abs(), offset].map(|x| f64::from(x as f32));
+    let mut sum = 0.0;
+    for (i, ways) in [(0.0, 1.0), (1.0, -2.0), (2.0, 1.0)] {
+        for (j, others) in [(0.0, 1.0), (1.0, -2.0), (2.0, 1.0)] {
+            let rest = offset + (a + b) - i * a - j * b;
+            sum += ways * others * rest.max(0.0).powi(4);
+        }
+    }
+    sum / (24.0 * a * a * b * b)
+}
+
 /// Closed forms and quadratures against midpoints over the hemisphere, and published or
 /// separately computed values.
 #[test]
@@ -303,6 +322,21 @@ fn truths_are_found_by_other_methods() {
         PI * 0.5f64.sin().powi(2) * 0.8f64.sin(),
         1e-4,
     );
+    // Of an edge along an axis the share of one tent; through the middle a half; in general
+    // the sum of four independent uniform numbers, whose distribution is a spline.
+    near(
+        "pixel-edge:angle=0,offset=0.25",
+        1.0 - 0.5 * 0.75 * 0.75,
+        1e-12,
+    );
+    near("pixel-edge:offset=0,angle=1.1", 0.5, 1e-12);
+    near("pixel-edge:offset=-1,radius=2", spline(0.4, -0.5), 1e-11);
+    for angle in [0.3, 0.9, 2.0, 3.0, 4.4, 5.9] {
+        for offset in [-0.8, -0.2, 0.1, 0.5, 1.1] {
+            let text = format!("pixel-edge:angle={angle},offset={offset}");
+            near(&text, spline(angle, offset), 1e-11);
+        }
+    }
     let wo = [0.75f64.sqrt(), 0.0, 0.5];
     let stretch = |z: f64| (0.09 * (1.0 - z * z) + z * z).sqrt();
     let furnace = hemisphere(1500, |wi| {

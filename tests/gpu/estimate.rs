@@ -190,6 +190,68 @@ fn many_dimensions_are_summed_as_on_the_cpu() {
     });
 }
 
+/// More dimensions than uniform blocks hold: as on the CPU, by any split, and refused where a
+/// driver might not end.
+#[test]
+fn a_thousand_dimensions_are_summed_as_on_the_cpu() {
+    const COUNT: u64 = 77;
+    support::on_each_device(|device| {
+        let problem = problem("product:d=1000");
+        let make = |sequence, scramble: Option<Scramble>, count, seed| {
+            let request = Request::new(&Options {
+                first: 3 * 1021 - 20,
+                dimensions: Some(1000),
+                seed: (sequence == Sequence::Random || scramble.is_some()).then_some(seed),
+                scramble,
+                total: (sequence == Sequence::Korobov).then_some(4093),
+                fractions: true,
+                ..Options::new(sequence, count)
+            });
+            request.unwrap_or_else(|error| panic!("{sequence:?}: {error}"))
+        };
+        for (sequence, scramble) in [
+            (Sequence::Sobol, None),
+            (Sequence::Sobol, Some(Scramble::OwenHash)),
+            (Sequence::Sobol, Some(Scramble::Matrix)),
+            (Sequence::Random, None),
+            (Sequence::RandomFast, None),
+            (Sequence::Halton, None),
+            (Sequence::Korobov, None),
+        ] {
+            let request = make(sequence, scramble, COUNT, 5);
+            let mut estimator = Estimator::new(device, &problem, &request).expect("it");
+            assert!(estimator.kernel_name().starts_with("estimate_wide"));
+            let longest = estimator.longest_run();
+            assert!(longest > 0);
+            let expected = bulk::estimate(&problem, &request, 0, COUNT).expect("sums");
+            for run in [1, longest.min(8), longest] {
+                let (records, _) = estimator.records(0, COUNT, run).expect("sums");
+                let scale = problem.coefficients().scale;
+                assert_eq!(
+                    merged(records, scale),
+                    expected,
+                    "{sequence:?} {scramble:?} {run}"
+                );
+            }
+            let other = make(sequence, scramble, 33, 6);
+            estimator.set_request(&other).expect("one of its shape");
+            let (got, _) = estimator.run(0, 33, &mut |_| Ok(())).expect("sums");
+            let expected = bulk::estimate(&problem, &other, 0, 33).expect("sums");
+            assert_eq!(got, expected, "{sequence:?} {scramble:?}, another request");
+        }
+        for (sequence, scramble) in [
+            (Sequence::Sobol, Scramble::Owen),
+            (Sequence::Halton, Scramble::Permute),
+        ] {
+            let request = make(sequence, Some(scramble), COUNT, 5);
+            let refused = Estimator::new(device, &problem, &request).map(|_| ());
+            let error = refused.expect_err("more than a driver may do");
+            assert_eq!(error.exit_code(), 2);
+            assert!(error.to_string().contains("65535 iterations"), "{error}");
+        }
+    });
+}
+
 #[test]
 fn requests_of_another_shape_are_refused() {
     support::on_one_device(|device| {

@@ -23,7 +23,7 @@ const fn difficulty(default: &'static [f64]) -> Parameter {
 }
 
 /// What these integrands have in common.
-const BASE: Integrand = Integrand {
+pub(super) const BASE: Integrand = Integrand {
     name: "",
     id: 0,
     dimensions: (1, 64),
@@ -34,6 +34,7 @@ const BASE: Integrand = Integrand {
     prepare: |_| Err(0),
     truth: |_| 0.0,
     error: 2.5e-7,
+    picture: None,
     finite_variance: true,
     examples: &[
         (&[0.001], 1),
@@ -232,7 +233,7 @@ fn peaked(values: &[f64], dimensions: u32, of: fn(f64) -> f64, peak: f64) -> Che
 }
 
 /// Refuses what would lose its mean below the unit of its terms.
-fn dominant(made: Checked, truth: f64) -> Checked {
+pub(super) fn dominant(made: Checked, truth: f64) -> Checked {
     made.and_then(|made| made.resolves(truth).then_some(made).ok_or(0))
 }
 

@@ -21,6 +21,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[Integrand {
     }],
     estimators: ESTIMATORS,
     needs_map: true,
+    picture: None,
     finite_variance: true,
     prepare,
     truth: |s| {

@@ -17,6 +17,7 @@ const BASE: Integrand = Integrand {
     prepare: |_| Ok(Coefficients::exact(0, 1.0)),
     truth: |_| 0.0,
     error: 0.0,
+    picture: None,
     finite_variance: true,
     examples: &[(&[], 1)],
     summary: "",

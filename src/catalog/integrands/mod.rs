@@ -17,13 +17,17 @@ mod irradiance;
 mod light;
 mod low;
 mod optics;
+mod pixel;
 mod problem;
+mod product;
 mod quadrature;
+mod raster;
 mod scenes;
 
 pub use examples::examples;
 pub use light::{AXES, LightMap};
 pub use problem::Problem;
+pub use raster::Raster;
 
 use super::Parameter;
 use crate::{Error, Result};
@@ -87,6 +91,10 @@ pub struct Setting<'a> {
 /// The coefficients; or the number of the parameter that is outside its domain.
 pub type Prepare = fn(&Setting) -> core::result::Result<Coefficients, usize>;
 
+/// The parameters at a pixel, from those in the middle of the picture: given x to the right and
+/// y upwards from there in pixels, and half the picture's height.
+pub type Picture = fn(&[f64], [f64; 2], f64) -> Vec<f64>;
+
 /// The estimator that combines techniques by the balance heuristic, one sample a point: a
 /// coordinate more than the others have chooses the technique.
 pub const MIS: &str = "mis";
@@ -116,6 +124,8 @@ pub struct Integrand {
     /// Worst error of a term as a share of the estimator's peak; its unit comes to 2^-63 of
     /// it. 0: terms are exact.
     pub error: f64,
+    /// Its parameters over a picture, where it is one.
+    pub picture: Option<Picture>,
     /// Whether its variance is finite, so that mean squares of errors say something.
     pub finite_variance: bool,
     /// Parameters and dimensions that checks try: usual ones, and the most extreme.
@@ -165,10 +175,12 @@ pub fn integrands() -> impl Iterator<Item = &'static Integrand> {
     low::INTEGRANDS
         .iter()
         .chain(genz::INTEGRANDS)
+        .chain(product::INTEGRANDS)
         .chain(irradiance::INTEGRANDS)
         .chain(scenes::INTEGRANDS)
         .chain(optics::INTEGRANDS)
         .chain(highlight::INTEGRANDS)
+        .chain(pixel::INTEGRANDS)
 }
 
 /// The two words of x > 0 as a real: a significand of 32 bits, rounded, and an exponent.

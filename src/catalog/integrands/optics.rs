@@ -111,18 +111,21 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
                 name: "edge",
                 size: 1,
                 default: Some(&[0.25]),
-                domain: "it must be from -0.999 to 0.999",
-                summary: "angle from the edge to the light's centre, in radii: -1 hides all",
+                domain: "it must be from -1.04 to 1.04",
+                summary: "angle from the edge to the light's centre, in radii: 1 hides nothing, -1 all",
             },
         ],
         estimators: SHADOW,
         prepare: shadow,
         truth: half_shadow,
+        picture: Some(penumbra),
         examples: &[
             (&[0.8, 0.3, 0.25], 2),
             (&[1.57, 1.5, -0.5], 2),
             (&[0.3, 0.3, 0.0], 2),
             (&[0.9, 0.2, 0.999], 2),
+            (&[1.57, 1.5, 1.04], 2),
+            (&[0.8, 0.05, -1.04], 2),
         ],
         summary: "light of a sphere behind an edge on a level surface",
         formula: "integral of z over the directions of the sphere on one side of a plane; \
@@ -188,7 +191,7 @@ fn sphere(values: &[f64]) -> (Vec3, f32, Vec3) {
 fn shadow(s: &Setting) -> Checked {
     let elevation = within(s.values, 0, 0.05, 1.57)?;
     let radius = within(s.values, 1, 0.05, elevation.min(1.5))?;
-    within(s.values, 2, -0.999, 0.999)?;
+    within(s.values, 2, -BESIDE, BESIDE)?;
     let (centre, size, normal) = sphere(s.values);
     let mut words = Vec::new();
     sphere_light_prepare(centre, size).put(&mut words);
@@ -204,6 +207,24 @@ fn shadow(s: &Setting) -> Checked {
     Ok(prepared(words, peak))
 }
 
+/// Where an edge is surely beside the light, and its plane less than a right angle from it.
+const BESIDE: f64 = 1.04;
+
+/// How far the edge stands behind the middle of the picture, in half heights.
+const DISTANCE: f64 = 1.25;
+
+/// A level surface seen from above, under a light that is far away behind its upper side. There
+/// stands the edge, across the light's direction: from points further down, which are further
+/// from it, the light leaves it over a wider way to the side.
+fn penumbra(values: &[f64], [x, y]: [f64; 2], half: f64) -> Vec<f64> {
+    let [elevation, radius, edge] = [values[0], values[1], values[2]];
+    let away = DISTANCE * elevation.cos();
+    let side = (edge * radius).tan() * away + x / half;
+    let angle = side.atan2(away - y / half * elevation.cos());
+    let edge = (angle / radius).clamp(-BESIDE, BESIDE);
+    vec![elevation, radius, edge]
+}
+
 /// Half the integral of r x dr around the open part of the light, upwards: of the arc of its
 /// rim from psi to pi - psi, measured from the way up, sin^2 (pi - 2 psi) sin(elevation); of
 /// the edge, its angle as seen times the height of its plane's normal.
@@ -217,5 +238,6 @@ fn half_shadow(s: &Setting) -> f64 {
     let psi = -reach.asin();
     let half = (sine * psi.cos()).atan2(cosine * edge.cos() - sine * psi.sin() * edge.sin());
     let rim = sine * sine * 2.0 * (FRAC_PI_2 - psi) * centre.z;
-    0.5 * (rim + 2.0 * half * normal.z)
+    // Where nothing is open, rounding may leave less than 0.
+    (0.5 * (rim + 2.0 * half * normal.z)).max(0.0)
 }

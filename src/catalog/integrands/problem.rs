@@ -152,6 +152,15 @@ impl Problem {
         )
     }
 
+    /// The same integrand and estimator with other numbers of its parameters.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`] for one outside its domain, and for too few or many numbers.
+    pub fn moved(&self, values: &[f64]) -> Result<Self> {
+        let map = self.map.clone();
+        Self::made(self.integrand, values, self.dimensions, self.estimator, map)
+    }
+
     /// From `NAME` or `NAME:key=value,key=value`, as the command line has it. Values are
     /// numbers; that of `map` is a file, which is read, and that of `axis` as `+z`.
     ///

@@ -25,6 +25,7 @@ pub(super) const BASE: Integrand = Integrand {
     prepare: |_| Err(0),
     truth: |_| 0.0,
     error: 2e-7,
+    picture: None,
     finite_variance: true,
     examples: &[],
     summary: "",

@@ -54,6 +54,13 @@ pub(super) const PART: Constant = Constant {
     default: 0,
 };
 
+/// Rows of the coefficients of a pixel.
+pub(super) const PIXEL_ROWS: Constant = Constant {
+    id: 7,
+    name: "PIXEL_ROWS",
+    default: 1,
+};
+
 /// Which discrepancy.
 pub(super) const KIND: Constant = Constant {
     id: 9,
@@ -117,6 +124,11 @@ pub(super) const COEFFICIENTS: Binding = Binding {
     name: "coefficients",
     element: Element::Rows(1 + ESTIMATE_DIMENSIONS),
     input: true,
+};
+/// The same of any number of dimensions.
+pub(super) const WIDE_COEFFICIENTS: Binding = Binding {
+    element: Element::Uvec4,
+    ..COEFFICIENTS
 };
 /// What it says in bulk: the texels and distribution of a map.
 pub(super) const TABLES: Binding = Binding {

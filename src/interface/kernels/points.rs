@@ -3,14 +3,14 @@
 use super::super::{FAMILIES, Family, Kernel, Profile};
 use super::constants::{
     COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, FEW_COLUMNS, INTEGRAND, MAP, OUTPUT,
-    PART, RESULTS, ROW, SIDE_BY_SIDE, TABLES, TILE, WITH_PDF, WORK,
+    PART, PIXEL_ROWS, RESULTS, ROW, SIDE_BY_SIDE, TABLES, TILE, WIDE_COEFFICIENTS, WITH_PDF, WORK,
 };
 
 /// The kernels of a family that make points: the general one, tiles of one to four
 /// columns, tiles of two that a map follows, in both profiles, and estimates: the general
-/// one, tiles of one to four columns, and the general one of each group of integrands of
-/// rendering.
-pub(super) const POINT_KERNELS: usize = 14;
+/// one, tiles of one to four columns, the general one of each group of integrands of
+/// rendering, that of more columns than a uniform block holds, and that of pictures.
+pub(super) const POINT_KERNELS: usize = 16;
 
 macro_rules! point_kernels {
     ($family:expr, $suffix:literal) => {
@@ -110,6 +110,25 @@ macro_rules! point_kernels {
             Kernel {
                 name: concat!("estimate_scene", $suffix),
                 defines: &[("COLUMN_TABLE", "1"), ("RENDER_SCENE", "1")],
+                columns: Some(($family, 0)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_wide", $suffix),
+                defines: &[("COLUMN_TABLE", "1")],
+                bindings: &[RESULTS, COLUMNS, WIDE_COEFFICIENTS],
+                columns: Some(($family, 0)),
+                ..estimates()
+            },
+            Kernel {
+                name: concat!("estimate_pixels", $suffix),
+                defines: &[
+                    ("COLUMN_TABLE", "1"),
+                    ("RENDER_SCENE", "1"),
+                    ("PIXELS", "1"),
+                ],
+                bindings: &[RESULTS, COLUMNS, WIDE_COEFFICIENTS],
+                constants: &[DIMENSIONS, TILE, INTEGRAND, PIXEL_ROWS],
                 columns: Some(($family, 0)),
                 ..estimates()
             },

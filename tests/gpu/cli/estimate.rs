@@ -74,6 +74,49 @@ fn sums_are_the_same_everywhere() {
 }
 
 #[test]
+fn pictures_are_the_same_everywhere() {
+    let desk = Desk::new();
+    let line = "estimate --integrand soft-shadow --estimator light --sampler sobol:owen-hash \
+                --seed 4 --pixels 12x8 --count 16";
+    let devices: &[&str] = if skips() {
+        &["cpu"]
+    } else {
+        &["cpu", "llvmpipe"]
+    };
+    for device in devices {
+        for ending in ["npy", "png", "exr"] {
+            let line = format!("{line} --device {device} --out {device}.{ending}");
+            let text = desk.say(&line);
+            assert!(
+                text.contains("12 x 8, each with a seed of its own"),
+                "{text}"
+            );
+            let file = format!("{device}.{ending}");
+            assert_eq!(desk.bytes(&file), desk.bytes(&format!("cpu.{ending}")));
+        }
+    }
+    let npy = desk.bytes("cpu.npy");
+    let shape = "'<f4', 'fortran_order': False, 'shape': (8, 12, 3,)";
+    assert!(String::from_utf8_lossy(&npy[..200]).contains(shape));
+    assert!(desk.bytes("cpu.png").starts_with(b"\x89PNG"));
+    // The upper left is dark, the upper right is lit; means and counts stand in the array.
+    let values: Vec<f32> = npy[4096..]
+        .chunks_exact(4)
+        .map(|word| f32::from_le_bytes([word[0], word[1], word[2], word[3]]))
+        .collect();
+    assert_eq!(values.len(), 8 * 12 * 3);
+    assert_eq!(values[..3], [0.0, 0.0, 16.0]);
+    assert!((values[33] - 0.1968).abs() < 0.01, "{}", values[33]);
+    let json = document(&desk, &format!("{line} --device cpu --json"));
+    let pixels = json["pixels"].as_array().expect("pixels");
+    assert_eq!((pixels.len(), &json["width"]), (96, &Value::from(12)));
+    let means = pixels.iter().map(|one| one["mean"].as_f64());
+    let found = values.chunks_exact(3).map(|one| one[0]);
+    assert!(means.map(|mean| mean.expect("a mean") as f32).eq(found));
+    assert!(json["rms_error"].as_f64().is_some_and(|error| error < 0.01));
+}
+
+#[test]
 fn an_estimate_says_what_it_is() {
     let desk = Desk::new();
     let line = "estimate --integrand x-squared --count 4 --device cpu --sampler";
@@ -146,8 +189,28 @@ fn estimates_that_cannot_be_made() {
             &["-1 is negative"],
         ),
         ("--integrand x-squared --sampler sobol", &["--count"]),
+        (
+            "--integrand x-squared --sampler sobol --count 4 --pixels 8x8",
+            &["soft-shadow and pixel-edge are pictures"],
+        ),
+        (
+            "--integrand pixel-edge --sampler sobol --count 4 --pixels 8",
+            &["8 is no size"],
+        ),
+        (
+            "--integrand pixel-edge --sampler sobol --count 4 --pixels 8x8 --out a.gif",
+            &["unknown format of a picture", "npy"],
+        ),
+        (
+            "--integrand pixel-edge --sampler sobol --count 4 --out a.npy",
+            &["add --pixels"],
+        ),
     ] {
         assert_refused(&format!("estimate {arguments}"), words);
+    }
+    if !skips() {
+        let line = "estimate --integrand product:d=1000 --sampler sobol:owen --count 4";
+        assert_refused(line, &["65535 iterations", "owen-hash"]);
     }
     assert_refused("integrands sobl-g", &["did you mean `sobol-g`"]);
 }

@@ -162,6 +162,28 @@ fn an_interrupted_demonstration_leaves_no_file() {
 }
 
 #[test]
+fn an_interrupted_picture_leaves_no_file() {
+    for device in if skips() {
+        &["cpu"][..]
+    } else {
+        &["cpu", "llvmpipe"]
+    } {
+        let desk = Desk::new();
+        let line = format!(
+            "estimate --integrand pixel-edge --sampler sobol --pixels 512x512 --count 4096 \
+             --device {device} --out p.npy"
+        );
+        let mut running = Running::start(&desk, &line);
+        running.wait_for_partial(&desk.path(""), 0);
+        running.signal("INT");
+        let (code, text) = running.end();
+        assert_eq!(code, Some(4), "{text}");
+        assert!(text.contains(" of 1073741824; nothing was left"), "{text}");
+        assert!(desk.names().is_empty(), "{:?}", desk.names());
+    }
+}
+
+#[test]
 fn an_interrupted_plot_leaves_no_file() {
     let desk = Desk::new();
     desk.make("halton --count 65536 --device cpu", "p.npy");

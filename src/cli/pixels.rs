@@ -1,0 +1,243 @@
+//! `corput estimate --pixels`: a picture, an exact estimate for each pixel.
+//!
+//! An .npy holds mean, variance and number of terms of each pixel as `f32`, an .exr the means,
+//! a PNG of 16 bits the means as shares of the largest. What `--json` prints has the sums, so
+//! that pictures of other points of a pixel merge.
+
+use super::args::EstimateArgs;
+use super::estimate::{heading, parameters};
+use super::{host, interrupt, print, progress};
+use corput::bulk::estimate_pixels;
+use corput::catalog::{Problem, Raster, Request};
+use corput::estimate::{Estimate, Pixels};
+use corput::kernels::PixelEstimator;
+use corput::picture::{self, Size};
+use corput::report::{Document, Element, Target, npy_array};
+use corput::{Error, Result};
+use serde_json::{Value, json};
+use std::time::Instant;
+
+/// How a picture is written.
+#[derive(Clone, Copy)]
+enum Format {
+    Npy,
+    Png,
+    Exr,
+}
+
+const FORMATS: [(&str, Format); 3] = [
+    ("npy", Format::Npy),
+    ("png", Format::Png),
+    ("exr", Format::Exr),
+];
+
+pub fn run(args: &EstimateArgs, raster: &Raster, request: &Request) -> anyhow::Result<()> {
+    let target = args.out.as_deref().map(Target::from);
+    let target = target.map(|target| Ok::<_, Error>((format(&target)?, Document::open(&target)?)));
+    let target = target.transpose()?;
+    interrupt::clean_up();
+    let made = made(args, raster)?;
+    if let Some((format, document)) = target {
+        document.finish(&encode(format, &made.pixels)?)?;
+    }
+    let truths = truths(raster)?;
+    if args.json {
+        let document = document(raster, request, &made, &truths);
+        print(&serde_json::to_string_pretty(&document)?);
+    } else {
+        print(&text(raster, request, &made, &truths)?);
+    }
+    Ok(())
+}
+
+/// Columns and rows, as `64x48`.
+pub fn size(text: &str) -> core::result::Result<[u32; 2], String> {
+    let sides = text.split_once('x');
+    let sides = sides.and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    sides.ok_or_else(|| format!("{text} is no size; write columns and rows as 64x48"))
+}
+
+/// Refuses what only pictures have.
+pub fn refuse(args: &EstimateArgs) -> Result<()> {
+    match args.out {
+        None => Ok(()),
+        Some(_) => Err(Error::Arguments {
+            asked: "--out without --pixels".into(),
+            limit: "only pictures are written to a file".into(),
+            remedy: "add --pixels 64x48, or take --json for the sums".into(),
+        }),
+    }
+}
+
+fn format(target: &Target) -> Result<Format> {
+    let name = match target {
+        Target::Stdout => "npy".to_owned(),
+        Target::File(path) => {
+            let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+            ending.unwrap_or_else(|| path.display().to_string())
+        }
+    };
+    let found = FORMATS.iter().find(|(known, _)| *known == name);
+    found.map(|(_, format)| *format).ok_or_else(|| {
+        Error::unknown_name("format of a picture", &name, &FORMATS.map(|(name, _)| name))
+    })
+}
+
+/// A picture, and what made it.
+struct Made {
+    pixels: Pixels,
+    device: String,
+    device_ms: Option<f64>,
+    total_ms: f64,
+}
+
+fn made(args: &EstimateArgs, raster: &Raster) -> anyhow::Result<Made> {
+    let total = raster.count() * u64::from(raster.pixels());
+    if host::is_cpu(host::asked(args.device.as_deref()).as_deref()) {
+        let bar = progress::points(total);
+        let begun = Instant::now();
+        let [width, _] = raster.size();
+        let mut all: Vec<Estimate> = Vec::new();
+        while (all.len() as u32) < raster.pixels() {
+            let from = all.len() as u32;
+            all.extend(estimate_pixels(raster, from..from + width)?);
+            let done = all.len() as u64 * raster.count();
+            bar.set_position(done);
+            interrupt::stop(done, total)?;
+        }
+        bar.finish_and_clear();
+        return Ok(Made {
+            pixels: Pixels::new(width, all)?,
+            device: "cpu".to_owned(),
+            device_ms: None,
+            total_ms: begun.elapsed().as_secs_f64() * 1e3,
+        });
+    }
+    let device = host::open(args.device.as_deref())?;
+    let mut estimator = PixelEstimator::new(&device, raster)?;
+    let bar = progress::points(total);
+    let begun = Instant::now();
+    let (pixels, timing) = estimator.run(&mut |done| {
+        bar.set_position(done);
+        interrupt::stop(done, total)
+    })?;
+    let total_ms = begun.elapsed().as_secs_f64() * 1e3;
+    bar.finish_and_clear();
+    host::validated(device.instance())?;
+    Ok(Made {
+        pixels,
+        device: host::line(device.info()),
+        device_ms: timing.device_ns.map(|ns| ns * 1e-6),
+        total_ms,
+    })
+}
+
+fn truths(raster: &Raster) -> Result<Vec<f64>> {
+    let truth = |index| Ok(raster.pixel(index)?.0.truth());
+    (0..raster.pixels()).map(truth).collect()
+}
+
+fn encode(format: Format, pixels: &Pixels) -> Result<Vec<u8>> {
+    let [width, height] = pixels.size();
+    let size = Size {
+        width,
+        height,
+        channels: 1,
+    };
+    let means = || pixels.moments().map(|[mean, ..]| mean);
+    match format {
+        Format::Npy => {
+            let words: Vec<u32> = pixels
+                .moments()
+                .flatten()
+                .map(|x| (x as f32).to_bits())
+                .collect();
+            Ok(npy_array(Element::F32, &[height, width, 3], &words))
+        }
+        Format::Exr => picture::exr(size, &means().map(|x| x as f32).collect::<Vec<_>>()),
+        Format::Png => {
+            let white = means().fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+            let sample = |mean: f64| (65535.0 * (mean / white).clamp(0.0, 1.0)).round() as u16;
+            picture::png(size, &means().map(sample).collect::<Vec<_>>())
+        }
+    }
+}
+
+/// Whose points pixels have.
+fn points(raster: &Raster) -> Result<&'static str> {
+    let columns = |index| Ok::<_, Error>(raster.pixel(index)?.1.columns);
+    let shared = columns(0)? == columns(raster.pixels() - 1)?;
+    Ok(match shared && raster.pixels() > 1 {
+        true => "which share their points",
+        false => "each with a seed of its own",
+    })
+}
+
+/// The root of the mean square of the pixels' errors.
+fn rms(pixels: &Pixels, truths: &[f64]) -> f64 {
+    let squares = pixels
+        .moments()
+        .zip(truths)
+        .map(|([mean, ..], truth)| (mean - truth).powi(2));
+    (squares.sum::<f64>() / truths.len() as f64).sqrt()
+}
+
+fn text(raster: &Raster, request: &Request, made: &Made, truths: &[f64]) -> Result<String> {
+    let [width, height] = raster.size();
+    let largest = truths.iter().copied().fold(0.0, f64::max);
+    let pixel_us = 1e3 * made.total_ms / f64::from(raster.pixels());
+    let mut lines = vec![
+        heading(raster.problem(), request, raster.count()),
+        format!("pixels          {width} x {height}, {}", points(raster)?),
+        format!("largest truth   {largest}"),
+        format!("RMS error       {:.3e}", rms(&made.pixels, truths)),
+        format!(
+            "time            {:.3} ms, {pixel_us:.2} us a pixel, on {}",
+            made.total_ms, made.device
+        ),
+    ];
+    if let Some(device_ms) = made.device_ms {
+        lines.push(format!("device time     {device_ms:.3} ms"));
+    }
+    Ok(lines.join("\n"))
+}
+
+fn document(raster: &Raster, request: &Request, made: &Made, truths: &[f64]) -> Value {
+    let problem: &Problem = raster.problem();
+    let [width, height] = raster.size();
+    let pixels: Vec<Value> = made
+        .pixels
+        .estimates()
+        .iter()
+        .zip(truths)
+        .map(|(estimate, truth)| {
+            json!({
+                "mean": estimate.mean(),
+                "variance": estimate.variance(),
+                "count": estimate.count(),
+                "truth": truth,
+                "sum": estimate.sum().to_string(),
+                "sum_of_squares": estimate.squares().to_string(),
+                "scale": estimate.scale(),
+            })
+        })
+        .collect();
+    json!({
+        "integrand": problem.integrand().name,
+        "estimator": problem.estimator(),
+        "dimensions": problem.dimensions(),
+        "parameters": parameters(problem),
+        "sampler": request.sequence.name(),
+        "scramble": request.scramble.name(),
+        "seed": request.seed,
+        "start": request.first,
+        "count": raster.count(),
+        "width": width,
+        "height": height,
+        "rms_error": rms(&made.pixels, truths),
+        "device": made.device,
+        "device_ms": made.device_ms,
+        "total_ms": made.total_ms,
+        "pixels": pixels,
+    })
+}

@@ -1,0 +1,40 @@
+//! What the kernels of estimates have in common: their records, and how much of a dispatch.
+
+use crate::Result;
+use crate::estimate::Estimate;
+use crate::vulkan::{Buffer, Timing};
+
+/// Points of the first dispatch: short on the slowest device.
+pub(super) const FIRST: u64 = 1 << 14;
+
+/// A dispatch should take about this long, and is made at most so many times longer at
+/// once.
+const TARGET_NS: f64 = 1e8;
+const GROWTH: f64 = 8.0;
+
+/// Invocations that keep a GPU busy.
+pub(super) const BUSY: u64 = 1 << 16;
+
+/// Invocations that keep the cores of a CPU evenly busy.
+pub(super) const BUSY_CPU: u64 = 1 << 10;
+
+/// Bytes of an invocation's record.
+pub(super) const RECORD: u64 = 48;
+
+/// The sums of so many invocations, of terms in units of 2^-scale.
+pub(super) fn read(results: &mut Buffer, invocations: u64, scale: i32) -> Result<Vec<Estimate>> {
+    results.read(0, RECORD * invocations, |bytes| {
+        let words: Vec<[u32; 12]> = bytemuck::pod_collect_to_vec(bytes);
+        let record = |[a, b, c, d, e, f, g, h, i, j, count, _]: [u32; 12]| {
+            Estimate::from_words(count, scale, [a, b, c, d], [e, f, g, h, i, j])
+        };
+        words.into_iter().map(record).collect()
+    })
+}
+
+/// Points of the next dispatch, after one of these took so long.
+pub(super) fn next_chunk(points: u64, timing: &Timing, most: u64) -> u64 {
+    let spent = timing.device_ns.unwrap_or(timing.host_ns).max(1.0);
+    let ideal = points as f64 * (TARGET_NS / spent).min(GROWTH);
+    (ideal as u64).clamp(1 << 10, most)
+}
