@@ -26,7 +26,7 @@ mod transcendental;
 
 pub use blue_noise::compare_mask;
 pub use estimates::{compare_estimates, judged_range};
-pub use functions::compare_function;
+pub use functions::{compare_function, function_words};
 pub use inputs::{arguments, mix};
 pub use maps::{compare_map, examples, fractions, judge_native, truth};
 pub use native::{NATIVE, NativeRow, compare_native};

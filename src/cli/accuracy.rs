@@ -8,7 +8,7 @@ use corput::accuracy::{
     subjects,
 };
 use corput::plot::to_png;
-use corput::report::{Document, Target};
+use corput::report::{Document, Target, create_folder};
 use corput::vulkan::DeviceInfo;
 use corput::{Error, Result};
 use std::path::Path;
@@ -84,11 +84,7 @@ struct Report([Document; 5]);
 
 impl Report {
     fn open(folder: &Path) -> Result<Self> {
-        std::fs::create_dir_all(folder).map_err(|source| Error::Output {
-            path: folder.to_owned(),
-            problem: source.to_string(),
-            remedy: "choose a folder that can be made and written".into(),
-        })?;
+        create_folder(folder)?;
         let open =
             |ending: &str| Document::open(&Target::File(folder.join(format!("accuracy.{ending}"))));
         Ok(Self([

@@ -52,6 +52,15 @@ pub enum Command {
     Accuracy(AccuracyArgs),
     /// Draw the points of .npy files: scatter, pairs of dimensions, power spectrum.
     Plot(PlotArgs),
+    /// Write arguments and results of everything exact, for ports to test themselves with.
+    Vectors(VectorsArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct VectorsArgs {
+    /// The folder.
+    #[arg(long)]
+    pub out: PathBuf,
 }
 
 #[derive(Debug, Args)]

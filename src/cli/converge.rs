@@ -7,6 +7,7 @@ use corput::catalog::Sampler;
 use corput::converge::{
     self, DEFAULT, Engine, Kept, Results, Row, Series, Setting, Settings, Study, standings,
 };
+use corput::report::create_folder;
 use corput::vulkan::Instance;
 use corput::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -139,11 +140,7 @@ fn engine(args: &ConvergeArgs) -> Result<(Engine, String, Option<Arc<Instance>>)
 }
 
 fn kept(folder: &Path, fresh: bool) -> Result<Kept> {
-    std::fs::create_dir_all(folder).map_err(|source| Error::Output {
-        path: folder.to_owned(),
-        problem: source.to_string(),
-        remedy: "choose a folder that can be made and written with --report".into(),
-    })?;
+    create_folder(folder)?;
     let path = folder.join(UNFINISHED);
     if fresh && path.exists() {
         std::fs::remove_file(&path).map_err(|source| Error::Io {

@@ -21,6 +21,7 @@ mod measure;
 mod plot;
 mod points;
 mod progress;
+mod vectors;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -48,6 +49,7 @@ pub fn main() -> ExitCode {
         Command::Bench(args) => bench::run(args),
         Command::Accuracy(args) => accuracy::run(args),
         Command::Plot(args) => plot::run(args),
+        Command::Vectors(args) => vectors::run(args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -26,7 +26,7 @@ const LEVELS: [&[&str]; 8] = [
     &["catalog", "variant", "report", "picture", "plot", "compile"],
     &["kernels", "bulk"],
     &["check"],
-    &["accuracy", "bench", "demo", "converge"],
+    &["accuracy", "bench", "demo", "converge", "vectors"],
     &["cli"],
 ];
 

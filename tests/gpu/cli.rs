@@ -39,6 +39,8 @@ mod running;
 mod same;
 #[path = "cli/sequences.rs"]
 mod sequences;
+#[path = "cli/vectors.rs"]
+mod vectors;
 
 use std::fs;
 use std::path::{Path, PathBuf};
