@@ -41,6 +41,8 @@ pub mod accuracy;
 pub mod bench;
 pub mod blue_noise;
 pub mod bulk;
+#[cfg(feature = "gpu")]
+pub mod card;
 pub mod catalog;
 #[cfg(feature = "gpu")]
 pub mod check;

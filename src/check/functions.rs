@@ -2,7 +2,7 @@
 
 use super::blue_noise;
 use super::inputs::arguments;
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use super::{discrete, domain, net, random, real, strata, transcendental};
 use crate::Result;
 use crate::catalog::Function;
@@ -52,20 +52,16 @@ pub fn compare_function(
             }
         }
     }
-    Ok(Row {
-        name: function.name.to_owned(),
-        kernel: kernel.to_owned(),
-        profile: "exact",
-        tier: function.tier.letter(),
-        compared: arguments.len() as u64,
-        mismatches: Some(mismatches),
-        worst: function.bound.map(|_| worst),
-        bound: function.bound,
-        unit: function.unit,
-        witness: mismatch.unwrap_or(witness),
-        verdict: Verdict::Failed,
-    }
-    .judged())
+    let mut row = Row::exact(function.name, kernel);
+    row.tier = function.tier.letter();
+    row.compared = arguments.len() as u64;
+    row.mismatches = Some(mismatches);
+    row.worst = function.bound.map(|_| worst);
+    row.bound = function.bound;
+    row.unit = function.unit;
+    row.witness = mismatch.unwrap_or(witness);
+    row.hash(results.as_flattened());
+    Ok(row.judged())
 }
 
 fn f(word: u32) -> f32 {

@@ -6,12 +6,14 @@
 
 mod blue_noise;
 mod cases;
+mod compare;
 mod discrete;
 mod domain;
 mod estimates;
 mod functions;
 mod inputs;
 mod irradiance;
+mod junit;
 mod maps;
 mod native;
 mod native_points;
@@ -25,27 +27,32 @@ mod strata;
 mod transcendental;
 
 pub use blue_noise::compare_mask;
+pub use compare::{Comparison, compare};
 pub use estimates::{compare_estimates, judged_range};
 pub use functions::{compare_function, function_words};
 pub use inputs::{arguments, mix};
+pub use junit::junit;
 pub use maps::{compare_map, examples, fractions, judge_native, truth};
 pub use native::{NATIVE, NativeRow, compare_native};
 pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
 pub use rows::{Row, Verdict};
 
-use crate::catalog::{FUNCTIONS, Profile, Tier};
+use crate::catalog::{FUNCTIONS, Function, Profile, Tier};
 use crate::interface::KERNELS;
 use crate::kernels::probe;
 use crate::vulkan::{Device, Probe};
 use crate::{Error, Result};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// What to check.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Only rows whose name, header or kernel contains this.
     pub only: Option<String>,
+    /// Begin no row after so long; what is left out is counted.
+    pub time: Option<Duration>,
 }
 
 /// What came out.
@@ -55,6 +62,8 @@ pub struct Outcome {
     pub probe: Probe,
     /// The rows, in the order of the catalogue.
     pub rows: Vec<Row>,
+    /// What there was no time for.
+    pub left_out: Vec<String>,
 }
 
 impl Outcome {
@@ -80,87 +89,141 @@ impl Outcome {
     }
 }
 
+/// Rows as they come, until time is up.
+struct Rows<'a> {
+    options: &'a Options,
+    deadline: Option<Instant>,
+    progress: &'a mut dyn FnMut(&Row),
+    rows: Vec<Row>,
+    left_out: Vec<String>,
+}
+
+impl Rows<'_> {
+    /// Checks one more, which has these names, unless it is not asked for or time is up.
+    fn add(&mut self, names: &[&str], check: impl FnOnce() -> Result<Row>) -> Result<()> {
+        self.add_all(names, || Ok(vec![check()?]))
+    }
+
+    /// The same of what several rows come of.
+    fn add_all(&mut self, names: &[&str], check: impl FnOnce() -> Result<Vec<Row>>) -> Result<()> {
+        let only = self.options.only.as_deref();
+        if only.is_some_and(|part| names.iter().all(|name| !name.contains(part))) {
+            return Ok(());
+        }
+        if self
+            .deadline
+            .is_some_and(|deadline| Instant::now() >= deadline)
+        {
+            self.left_out.extend(names.first().map(ToString::to_string));
+            return Ok(());
+        }
+        let begun = Instant::now();
+        let mut rows = check()?;
+        let share = begun.elapsed().as_secs_f64() / rows.len().max(1) as f64;
+        for row in &mut rows {
+            row.seconds = share;
+            (self.progress)(row);
+        }
+        self.rows.extend(rows);
+        Ok(())
+    }
+}
+
 /// Checks a device; `progress` sees each row as it ends.
 ///
 /// # Errors
-/// Those of the device, and [`Error::Arguments`] where no row is left to check.
+/// Those of the device, and [`Error::Arguments`] where no row is left to check, or time for
+/// one.
 pub fn run(
     device: &Arc<Device>,
     options: &Options,
     progress: &mut dyn FnMut(&Row),
 ) -> Result<Outcome> {
+    let deadline = options
+        .time
+        .and_then(|time| Instant::now().checked_add(time));
     let probe = probe(device)?;
-    let wanted = |names: &[&str]| match &options.only {
-        None => true,
-        Some(part) => names.iter().any(|name| name.contains(part.as_str())),
-    };
-    let mut rows = Vec::new();
-    let mut add = |row: Row| {
-        progress(&row);
-        rows.push(row);
+    let mut rows = Rows {
+        options,
+        deadline,
+        progress,
+        rows: Vec::new(),
+        left_out: Vec::new(),
     };
     for function in FUNCTIONS {
-        if !wanted(&[function.name, function.header]) {
-            continue;
-        }
-        if function.tier == Tier::Float && !probe.tier_f() {
-            add(Row::refused(
-                function,
-                "the probe does not find rounding to nearest even",
-            ));
-            continue;
-        }
-        add(functions::check(device, function, function.kernel)?);
-        // The same function built with CORPUT_PORTABLE, where there is such a module.
-        let portable = format!("{}_portable", function.kernel);
-        if KERNELS.iter().any(|kernel| kernel.name == portable) {
-            add(functions::check(device, function, &portable)?);
-        }
+        functions(device, function, &probe, &mut rows)?;
     }
     for case in cases::cases()? {
-        if !wanted(&[&case.name, case.kernel]) {
-            continue;
-        }
-        add(points::check(device, &case)?);
+        rows.add(&[&case.name, case.kernel], || points::check(device, &case))?;
     }
     for map in crate::catalog::maps() {
-        if wanted(&[map.name, map.group.kernel(Profile::Exact)]) {
-            maps::check(device, map)?.into_iter().for_each(&mut add);
-        }
+        let names = [map.name, map.group.kernel(Profile::Exact)];
+        rows.add_all(&names, || maps::check(device, map))?;
     }
     for integrand in crate::catalog::integrands() {
-        if wanted(&[integrand.name, "estimate", "integrand", "sum", "genz"]) {
-            add(estimates::check(device, integrand)?);
-        }
+        let names = [integrand.name, "estimate", "integrand", "sum", "genz"];
+        rows.add(&names, || estimates::check(device, integrand))?;
     }
-    if wanted(&["irradiance", "envmap_texel", "envmap"]) {
-        add(irradiance::check(device)?);
-    }
-    if wanted(&["pairs", "discrepancy"]) {
-        add(pairs::check_sums(device)?);
-    }
-    if wanted(&["nearest", "distance"]) {
-        add(pairs::check_nearest(device)?);
-    }
-    if wanted(&["blue_noise_mask", "void_and_cluster"]) {
-        add(blue_noise::check(device)?);
-    }
+    rows.add(&["irradiance", "envmap_texel", "envmap"], || {
+        irradiance::check(device)
+    })?;
+    rows.add(&["pairs", "discrepancy"], || pairs::check_sums(device))?;
+    rows.add(&["nearest", "distance"], || pairs::check_nearest(device))?;
+    rows.add(&["blue_noise_mask", "void_and_cluster"], || {
+        blue_noise::check(device)
+    })?;
     for row in NATIVE {
-        if wanted(&[row.name, "native"]) {
-            add(native::check(device, row)?);
-        }
+        rows.add(&[row.name, "native"], || native::check(device, row))?;
     }
     for case in native_points::native_cases()? {
-        if wanted(&[&case.name, case.kernel]) {
-            add(native_points::check_native(device, &case, native::SINE)?);
-        }
+        rows.add(&[&case.name, case.kernel], || {
+            native_points::check_native(device, &case, native::SINE)
+        })?;
     }
-    if rows.is_empty() {
+    if rows.rows.is_empty() && !rows.left_out.is_empty() {
+        return Err(Error::Arguments {
+            asked: format!(
+                "--seconds {}",
+                options.time.unwrap_or_default().as_secs_f64()
+            ),
+            limit: "no row began in that time".into(),
+            remedy: "give it more".into(),
+        });
+    }
+    if rows.rows.is_empty() {
         return Err(Error::Arguments {
             asked: format!("--only {}", options.only.as_deref().unwrap_or("")),
             limit: "no row's name, header or kernel contains that".into(),
             remedy: "run `corput check` to see all rows".into(),
         });
     }
-    Ok(Outcome { probe, rows })
+    Ok(Outcome {
+        probe,
+        rows: rows.rows,
+        left_out: rows.left_out,
+    })
+}
+
+/// The rows of a function: in its kernel, and built with CORPUT_PORTABLE where there is such
+/// a module.
+fn functions(
+    device: &Arc<Device>,
+    function: &Function,
+    probe: &Probe,
+    rows: &mut Rows,
+) -> Result<()> {
+    let names = [function.name, function.header];
+    if function.tier == Tier::Float && !probe.tier_f() {
+        let reason = "the probe does not find rounding to nearest even";
+        return rows.add(&names, || Ok(Row::refused(function, reason)));
+    }
+    let portable = format!("{}_portable", function.kernel);
+    let portable = KERNELS
+        .iter()
+        .any(|kernel| kernel.name == portable)
+        .then_some(portable);
+    for kernel in [function.kernel].into_iter().chain(portable.as_deref()) {
+        rows.add(&names, || functions::check(device, function, kernel))?;
+    }
+    Ok(())
 }

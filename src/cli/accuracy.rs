@@ -64,7 +64,6 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
 
 fn about(info: &DeviceInfo) -> About {
     let (major, minor, patch) = info.api_version;
-    let words = std::env::args().skip(1);
     About {
         device: format!("{} ({})", info.name, info.kind.name()),
         driver: format!(
@@ -72,10 +71,7 @@ fn about(info: &DeviceInfo) -> About {
             info.driver_name, info.driver_info
         ),
         device_uuid: info.device_uuid.clone(),
-        command: std::iter::once("corput".to_owned())
-            .chain(words)
-            .collect::<Vec<_>>()
-            .join(" "),
+        command: host::command(),
     }
 }
 

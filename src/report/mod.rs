@@ -21,12 +21,14 @@
 //! ```
 
 mod encode;
+mod escape;
 mod format;
 mod place;
 mod read;
 mod sink;
 
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
+pub use escape::escape;
 pub use format::Format;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};

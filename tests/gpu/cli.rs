@@ -4,6 +4,8 @@
 mod accuracy;
 #[path = "cli/blue_noise.rs"]
 mod blue_noise;
+#[path = "cli/check.rs"]
+mod check;
 #[path = "cli/commands.rs"]
 mod commands;
 #[path = "cli/converge.rs"]
