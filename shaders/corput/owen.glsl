@@ -61,16 +61,20 @@ uint corput_owen(uint x, uint dimension, uvec2 seed) {
     return x ^ flips;
 }
 
-// The permutation of Laine and Karras: in reverse order, so that a digit changes only by
-// those before it, which products carry upwards.
-uint corput_owen_hash(uint x, uint seed) {
-    x = corput_reverse_bits(x);
+// The permutation of Laine and Karras of a fraction whose digits are in reverse order, so
+// that a digit changes only by those before it, which products carry upwards.
+uint corput_owen_hash_reversed(uint x, uint seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
     x *= (seed >> 16) | 1u;
     x ^= x * 0x05526c56u;
     x ^= x * 0x53a22864u;
     return corput_reverse_bits(x);
+}
+
+// The same of a fraction.
+uint corput_owen_hash(uint x, uint seed) {
+    return corput_owen_hash_reversed(corput_reverse_bits(x), seed);
 }
 
 // The digits of x times a random lower triangular matrix over {0, 1} with ones on its

@@ -26,6 +26,17 @@ bool kind_is(uint kind, uint wanted) {
 #error this family of columns has no file
 #endif
 
+// Families without a shorter way within groups of points.
+#if COLUMN_FAMILY != 1
+Cursor cursor_group(Cursor cursor, Column c, uint group) {
+    return cursor_next(cursor, c);
+}
+
+Cursor cursor_beside(Cursor cursor, Column c, uint place) {
+    return cursor_next(cursor, c);
+}
+#endif
+
 // The value as the file holds it.
 uint column_output(uint fraction, Column c, uint kind_of_output) {
     if (kind_of_output == 0u) {

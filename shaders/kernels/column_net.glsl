@@ -1,5 +1,5 @@
-// Coordinates of nets in base 2. What is linear in the index, so Gray order and matrix
-// scrambles, is in the direction numbers.
+// Coordinates of nets in base 2. What is linear in the index, so Gray order, matrix
+// scrambles and the reverse order of digits that the hash wants, is in the direction numbers.
 #ifndef KERNEL_COLUMN_NET_GLSL
 #define KERNEL_COLUMN_NET_GLSL
 
@@ -43,7 +43,7 @@ uint column_scrambled(uint x, Column c) {
     }
     if (KIND_OCCURS(SOBOL_OWEN_HASH)) {
         if (kind_is(c.kind, SOBOL_OWEN_HASH)) {
-            value = corput_owen_hash(x, c.hash);
+            value = corput_owen_hash_reversed(x, c.hash);
         }
     }
     return value;
@@ -92,6 +92,8 @@ struct Cursor {
     uint index;
     uint high;
     uint next_high;
+    // The coordinate of the net.
+    uint x;
 };
 
 // What bits 8 to 31 contribute.
@@ -107,19 +109,22 @@ uint cursor_high(uint block, Column c) {
         ^ NET_BIT(block, 21, d.d29) ^ NET_BIT(block, 22, d.d30) ^ NET_BIT(block, 23, d.d31);
 }
 
+// What bits 0 to 7 contribute; bits of a known number do at once.
+uint cursor_low(uint n, Column c) {
+    Directions d = c.directions;
+    return NET_BIT(n, 0, d.d0) ^ NET_BIT(n, 1, d.d1) ^ NET_BIT(n, 2, d.d2)
+        ^ NET_BIT(n, 3, d.d3) ^ NET_BIT(n, 4, d.d4) ^ NET_BIT(n, 5, d.d5)
+        ^ NET_BIT(n, 6, d.d6) ^ NET_BIT(n, 7, d.d7);
+}
+
 Cursor cursor_start(uint index, Column c) {
     uint block = index >> 8;
-    return Cursor(index, cursor_high(block, c), cursor_high(block + 1u, c));
+    uint high = cursor_high(block, c);
+    return Cursor(index, high, cursor_high(block + 1u, c), high ^ cursor_low(index, c));
 }
 
 uint cursor_value(Cursor cursor, Column c) {
-    Directions d = c.directions;
-    uint n = cursor.index;
-    uint x = cursor.high
-        ^ NET_BIT(n, 0, d.d0) ^ NET_BIT(n, 1, d.d1) ^ NET_BIT(n, 2, d.d2)
-        ^ NET_BIT(n, 3, d.d3) ^ NET_BIT(n, 4, d.d4) ^ NET_BIT(n, 5, d.d5)
-        ^ NET_BIT(n, 6, d.d6) ^ NET_BIT(n, 7, d.d7);
-    uint value = column_scrambled(x, c);
+    uint value = column_scrambled(cursor.x, c);
     if (KIND_OCCURS(PMJ02)) {
         if (kind_is(c.kind, PMJ02)) {
             value = column_pmj02(cursor.index, c);
@@ -128,10 +133,21 @@ uint cursor_value(Cursor cursor, Column c) {
     return value;
 }
 
-Cursor cursor_next(Cursor cursor, Column c) {
-    uint index = cursor.index + 1u;
+// To the next index, which is a multiple of `group`, a power of two.
+Cursor cursor_group(Cursor cursor, Column c, uint group) {
+    uint index = (cursor.index + 1u) & (0u - group);
     uint high = (index & 255u) == 0u ? cursor.next_high : cursor.high;
-    return Cursor(index, high, cursor.next_high);
+    return Cursor(index, high, cursor.next_high, high ^ cursor_low(index, c));
+}
+
+Cursor cursor_next(Cursor cursor, Column c) {
+    return cursor_group(cursor, c, 1u);
+}
+
+// Within such a group, from the point in this place: the bits that change are known.
+Cursor cursor_beside(Cursor cursor, Column c, uint place) {
+    uint x = cursor.x ^ cursor_low(place ^ (place + 1u), c);
+    return Cursor(cursor.index + 1u, cursor.high, cursor.next_high, x);
 }
 
 float column_unit(uint fraction, Column c) {

@@ -67,28 +67,36 @@ CorputTerm tile_term(Tile tile, uvec4 words[1 + TILE_COLUMNS]) {
     return integrand_term(state, head, int(push.scale));
 }
 
+// Points come in groups of SIDE_BY_SIDE from a multiple of it on, of which the first and the
+// last may reach beyond the run.
 CorputSum run_sum(uint index, uint count) {
-    CorputSum sum = corput_sum_zero();
+    CorputTally tally = corput_tally_zero();
     uvec4 words[1 + TILE_COLUMNS];
     [[unroll]] for (uint j = 0u; j <= TILE_COLUMNS; j++) {
         words[j] = coefficients[j];
     }
     tile_load();
-    [[dont_unroll]] for (uint done = 0u; done < count; done += TILE) {
-        Tile tile = tile_start(index + done);
-        uint end = min(TILE, count - done);
-        [[dont_unroll]] for (uint k = 0u; k < end; k += SIDE_BY_SIDE) {
+    uint before = index & (SIDE_BY_SIDE - 1u);
+    uint whole = before + count;
+    [[dont_unroll]] for (uint done = 0u; done < whole; done += TILE) {
+        Tile tile = tile_start(index - before + done);
+        uint end = min(whole, done + TILE);
+        [[dont_unroll]] for (uint k = done; k < end; k += SIDE_BY_SIDE) {
             [[unroll]] for (uint j = 0u; j < SIDE_BY_SIDE; j++) {
                 CorputTerm term = tile_term(tile, words);
-                if (k + j >= end) {
+                if (k + j - before >= count) {
                     term = CorputTerm(uvec2(0u), false);
                 }
-                sum = corput_sum_add(sum, term);
-                tile = tile_next(tile);
+                tally = corput_tally_add(tally, term);
+                if (j + 1u < SIDE_BY_SIDE) {
+                    tile = tile_beside(tile, j);
+                } else {
+                    tile = tile_group(tile, SIDE_BY_SIDE);
+                }
             }
         }
     }
-    return sum;
+    return corput_tally_sum(tally);
 }
 #endif
 

@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // Points to samples of a map in one kernel: no point travels through memory.
 #include "interface.glsl"
 #include "map_hemisphere.glsl"

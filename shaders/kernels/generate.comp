@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // Points of any number of columns, four words an invocation, columns from a table.
 #include "interface.glsl"
 #include "column.glsl"

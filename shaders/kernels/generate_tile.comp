@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // Points of one to four columns: TILE consecutive ones an invocation, in wide stores.
 // Four columns may be a part of a wider row, which takes one dispatch per part.
 #include "interface.glsl"

@@ -102,4 +102,34 @@ Tile tile_next(Tile tile) {
     return tile;
 }
 
+// To the next index, which is a multiple of `group`, a power of two.
+Tile tile_group(Tile tile, uint group) {
+    tile.c0 = cursor_group(tile.c0, COLUMN(COLUMN0), group);
+#if TILE_COLUMNS > 1
+    tile.c1 = cursor_group(tile.c1, COLUMN(COLUMN1), group);
+#endif
+#if TILE_COLUMNS > 2
+    tile.c2 = cursor_group(tile.c2, COLUMN(COLUMN2), group);
+#endif
+#if TILE_COLUMNS > 3
+    tile.c3 = cursor_group(tile.c3, COLUMN(COLUMN3), group);
+#endif
+    return tile;
+}
+
+// Within such a group, from the point in this place to the next.
+Tile tile_beside(Tile tile, uint place) {
+    tile.c0 = cursor_beside(tile.c0, COLUMN(COLUMN0), place);
+#if TILE_COLUMNS > 1
+    tile.c1 = cursor_beside(tile.c1, COLUMN(COLUMN1), place);
+#endif
+#if TILE_COLUMNS > 2
+    tile.c2 = cursor_beside(tile.c2, COLUMN(COLUMN2), place);
+#endif
+#if TILE_COLUMNS > 3
+    tile.c3 = cursor_beside(tile.c3, COLUMN(COLUMN3), place);
+#endif
+    return tile;
+}
+
 #endif

@@ -6,13 +6,13 @@ mod truth;
 
 use super::inputs::mix;
 use super::rows::Row;
-use crate::Result;
 use crate::bulk::{map_invert, map_pdf, map_sample};
 use crate::catalog::{Group, Map, Mapping, Profile};
 use crate::interface::task;
 use crate::judge::{ulp_above, ulp_error};
 use crate::kernels::Mapper;
 use crate::vulkan::Device;
+use crate::{Error, Result};
 use std::sync::Arc;
 pub use truth::truth;
 
@@ -97,25 +97,28 @@ pub fn examples(map: &'static Map) -> Result<Vec<Mapping>> {
         .collect()
 }
 
-/// Both profiles of a map.
-pub fn check(device: &Arc<Device>, map: &'static Map) -> Result<Vec<Row>> {
-    let mapping = examples(map)?;
-    let mapper = |profile, task| match mapping.first() {
-        Some(first) => Mapper::new(device, first, true, profile, task).map(Some),
-        None => Ok(None),
-    };
-    let mut rows = Vec::new();
-    let prepared = mapping.first().is_some_and(Mapping::is_prepared);
-    let tasks = [task::SAMPLE, task::PDF, task::INVERT];
-    for task in tasks.into_iter().chain(prepared.then_some(task::PREPARE)) {
-        if let Some(mut mapper) = mapper(Profile::Exact, task)? {
-            rows.push(compare_map(&mut mapper, map, &mapping, task)?);
-        }
+/// What of a map is checked: each task in the exact profile, and samples in the native one.
+pub fn tasks(map: &'static Map) -> Result<Vec<(Profile, u32)>> {
+    let prepared = examples(map)?.first().is_some_and(Mapping::is_prepared);
+    let exact = [task::SAMPLE, task::PDF, task::INVERT].into_iter();
+    let exact = exact.chain(prepared.then_some(task::PREPARE));
+    let exact = exact.map(|task| (Profile::Exact, task));
+    Ok(exact.chain([(Profile::Native, task::SAMPLE)]).collect())
+}
+
+/// One of these.
+pub fn check(device: &Arc<Device>, map: &'static Map, profile: Profile, task: u32) -> Result<Row> {
+    let mappings = examples(map)?;
+    let first = mappings.first().ok_or_else(|| Error::Arguments {
+        asked: format!("a check of {}", map.name),
+        limit: "it has no example".into(),
+        remedy: "give it one in the catalogue".into(),
+    })?;
+    let mut mapper = Mapper::new(device, first, true, profile, task)?;
+    match profile {
+        Profile::Exact => compare_map(&mut mapper, map, &mappings, task),
+        Profile::Native => judge_native(&mut mapper, map, &mappings),
     }
-    if let Some(mut mapper) = mapper(Profile::Native, task::SAMPLE)? {
-        rows.push(judge_native(&mut mapper, map, &mapping)?);
-    }
-    Ok(rows)
 }
 
 /// Compares a task of a map in the exact profile with the reference, and its samples with

@@ -24,6 +24,7 @@ mod random;
 mod real;
 mod rows;
 mod strata;
+mod tasks;
 mod transcendental;
 
 pub use blue_noise::compare_mask;
@@ -38,20 +39,21 @@ pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
 pub use rows::{Row, Verdict};
 
-use crate::catalog::{FUNCTIONS, Function, Profile, Tier};
+use crate::catalog::{FUNCTIONS, Profile, Tier};
 use crate::interface::KERNELS;
 use crate::kernels::probe;
 use crate::vulkan::{Device, Probe};
 use crate::{Error, Result};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+use tasks::Task;
 
 /// What to check.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Only rows whose name, header or kernel contains this.
     pub only: Option<String>,
-    /// Begin no row after so long; what is left out is counted.
+    /// Begin no row after so long; what is left out is named.
     pub time: Option<Duration>,
 }
 
@@ -89,51 +91,12 @@ impl Outcome {
     }
 }
 
-/// Rows as they come, until time is up.
-struct Rows<'a> {
-    options: &'a Options,
-    deadline: Option<Instant>,
-    progress: &'a mut dyn FnMut(&Row),
-    rows: Vec<Row>,
-    left_out: Vec<String>,
-}
-
-impl Rows<'_> {
-    /// Checks one more, which has these names, unless it is not asked for or time is up.
-    fn add(&mut self, names: &[&str], check: impl FnOnce() -> Result<Row>) -> Result<()> {
-        self.add_all(names, || Ok(vec![check()?]))
-    }
-
-    /// The same of what several rows come of.
-    fn add_all(&mut self, names: &[&str], check: impl FnOnce() -> Result<Vec<Row>>) -> Result<()> {
-        let only = self.options.only.as_deref();
-        if only.is_some_and(|part| names.iter().all(|name| !name.contains(part))) {
-            return Ok(());
-        }
-        if self
-            .deadline
-            .is_some_and(|deadline| Instant::now() >= deadline)
-        {
-            self.left_out.extend(names.first().map(ToString::to_string));
-            return Ok(());
-        }
-        let begun = Instant::now();
-        let mut rows = check()?;
-        let share = begun.elapsed().as_secs_f64() / rows.len().max(1) as f64;
-        for row in &mut rows {
-            row.seconds = share;
-            (self.progress)(row);
-        }
-        self.rows.extend(rows);
-        Ok(())
-    }
-}
-
-/// Checks a device; `progress` sees each row as it ends.
+/// Checks a device, on several threads; `progress` sees the rows in the order of the
+/// catalogue. The device keeps the pipelines, of which some serve several rows, until it is
+/// dropped.
 ///
 /// # Errors
-/// Those of the device, and [`Error::Arguments`] where no row is left to check, or time for
-/// one.
+/// Those of the device, and [`Error::Arguments`] where no row is left to check, or time for one.
 pub fn run(
     device: &Arc<Device>,
     options: &Options,
@@ -143,44 +106,53 @@ pub fn run(
         .time
         .and_then(|time| Instant::now().checked_add(time));
     let probe = probe(device)?;
-    let mut rows = Rows {
-        options,
-        deadline,
-        progress,
-        rows: Vec::new(),
-        left_out: Vec::new(),
+    let wanted = |names: &[&str]| match &options.only {
+        None => true,
+        Some(part) => names.iter().any(|name| name.contains(part.as_str())),
     };
-    for function in FUNCTIONS {
-        functions(device, function, &probe, &mut rows)?;
-    }
-    for case in cases::cases()? {
-        rows.add(&[&case.name, case.kernel], || points::check(device, &case))?;
-    }
-    for map in crate::catalog::maps() {
-        let names = [map.name, map.group.kernel(Profile::Exact)];
-        rows.add_all(&names, || maps::check(device, map))?;
-    }
+    let mut tasks = of_functions(device, &probe, &wanted);
+    tasks.extend(of_points(device, &wanted)?);
     for integrand in crate::catalog::integrands() {
-        let names = [integrand.name, "estimate", "integrand", "sum", "genz"];
-        rows.add(&names, || estimates::check(device, integrand))?;
+        if wanted(&[integrand.name, "estimate", "integrand", "sum", "genz"]) {
+            tasks.push(task(integrand.name, move || {
+                estimates::check(device, integrand)
+            }));
+        }
     }
-    rows.add(&["irradiance", "envmap_texel", "envmap"], || {
-        irradiance::check(device)
-    })?;
-    rows.add(&["pairs", "discrepancy"], || pairs::check_sums(device))?;
-    rows.add(&["nearest", "distance"], || pairs::check_nearest(device))?;
-    rows.add(&["blue_noise_mask", "void_and_cluster"], || {
-        blue_noise::check(device)
-    })?;
+    if wanted(&["irradiance", "envmap_texel", "envmap"]) {
+        tasks.push(task("irradiance", move || irradiance::check(device)));
+    }
+    if wanted(&["pairs", "discrepancy"]) {
+        tasks.push(task("pairs", move || pairs::check_sums(device)));
+    }
+    if wanted(&["nearest", "distance"]) {
+        tasks.push(task("nearest", move || pairs::check_nearest(device)));
+    }
+    if wanted(&["blue_noise_mask", "void_and_cluster"]) {
+        tasks.push(task("blue_noise_mask", move || blue_noise::check(device)));
+    }
     for row in NATIVE {
-        rows.add(&[row.name, "native"], || native::check(device, row))?;
+        if wanted(&[row.name, "native"]) {
+            tasks.push(task(row.name, move || native::check(device, row)));
+        }
     }
     for case in native_points::native_cases()? {
-        rows.add(&[&case.name, case.kernel], || {
-            native_points::check_native(device, &case, native::SINE)
-        })?;
+        if wanted(&[&case.name, case.kernel]) {
+            let name = case.name.clone();
+            let check = move || native_points::check_native(device, &case, native::SINE);
+            tasks.push(task(&name, check));
+        }
     }
-    if rows.rows.is_empty() && !rows.left_out.is_empty() {
+    if tasks.is_empty() {
+        return Err(Error::Arguments {
+            asked: format!("--only {}", options.only.as_deref().unwrap_or("")),
+            limit: "no row's name, header or kernel contains that".into(),
+            remedy: "run `corput check` to see all rows".into(),
+        });
+    }
+    device.keep_pipelines();
+    let (rows, left_out) = tasks::run(&tasks, deadline, progress)?;
+    if rows.is_empty() {
         return Err(Error::Arguments {
             asked: format!(
                 "--seconds {}",
@@ -190,40 +162,72 @@ pub fn run(
             remedy: "give it more".into(),
         });
     }
-    if rows.rows.is_empty() {
-        return Err(Error::Arguments {
-            asked: format!("--only {}", options.only.as_deref().unwrap_or("")),
-            limit: "no row's name, header or kernel contains that".into(),
-            remedy: "run `corput check` to see all rows".into(),
-        });
-    }
     Ok(Outcome {
         probe,
-        rows: rows.rows,
-        left_out: rows.left_out,
+        rows,
+        left_out,
     })
 }
 
-/// The rows of a function: in its kernel, and built with CORPUT_PORTABLE where there is such
-/// a module.
-fn functions(
-    device: &Arc<Device>,
-    function: &Function,
+/// A task of one row.
+fn task<'a>(name: &str, check: impl Fn() -> Result<Row> + Send + Sync + 'a) -> Task<'a> {
+    Task {
+        name: name.to_owned(),
+        check: Box::new(check),
+    }
+}
+
+/// The functions of the headers.
+fn of_functions<'a>(
+    device: &'a Arc<Device>,
     probe: &Probe,
-    rows: &mut Rows,
-) -> Result<()> {
-    let names = [function.name, function.header];
-    if function.tier == Tier::Float && !probe.tier_f() {
-        let reason = "the probe does not find rounding to nearest even";
-        return rows.add(&names, || Ok(Row::refused(function, reason)));
+    wanted: &dyn Fn(&[&str]) -> bool,
+) -> Vec<Task<'a>> {
+    let mut tasks = Vec::new();
+    for function in FUNCTIONS {
+        if !wanted(&[function.name, function.header]) {
+            continue;
+        }
+        if function.tier == Tier::Float && !probe.tier_f() {
+            let why = "the probe does not find rounding to nearest even";
+            tasks.push(task(function.name, move || Ok(Row::refused(function, why))));
+            continue;
+        }
+        tasks.push(task(function.name, move || {
+            functions::check(device, function, function.kernel)
+        }));
+        // The same function built with CORPUT_PORTABLE, where there is such a module.
+        let portable = format!("{}_portable", function.kernel);
+        if KERNELS.iter().any(|kernel| kernel.name == portable) {
+            tasks.push(task(function.name, move || {
+                functions::check(device, function, &portable)
+            }));
+        }
     }
-    let portable = format!("{}_portable", function.kernel);
-    let portable = KERNELS
-        .iter()
-        .any(|kernel| kernel.name == portable)
-        .then_some(portable);
-    for kernel in [function.kernel].into_iter().chain(portable.as_deref()) {
-        rows.add(&names, || functions::check(device, function, kernel))?;
+    tasks
+}
+
+/// The kernels that make points, and the maps.
+fn of_points<'a>(
+    device: &'a Arc<Device>,
+    wanted: &dyn Fn(&[&str]) -> bool,
+) -> Result<Vec<Task<'a>>> {
+    let mut tasks = Vec::new();
+    for case in cases::cases()? {
+        if wanted(&[&case.name, case.kernel]) {
+            tasks.push(task(&case.name.clone(), move || {
+                points::check(device, &case)
+            }));
+        }
     }
-    Ok(())
+    for map in crate::catalog::maps() {
+        if wanted(&[map.name, map.group.kernel(Profile::Exact)]) {
+            for (profile, of) in maps::tasks(map)? {
+                tasks.push(task(map.name, move || {
+                    maps::check(device, map, profile, of)
+                }));
+            }
+        }
+    }
+    Ok(tasks)
 }

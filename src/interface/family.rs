@@ -123,7 +123,20 @@ const STRATA: &[Word] = &[
     ("GRID_Y", 1),
 ];
 
-const DIGITS: &[Word] = &[("KIND", 14), ("BASE", 2), ("SEED", 0)];
+const DIGITS: &[Word] = &[
+    ("KIND", 14),
+    ("SEED", 0),
+    ("LOW", 0),
+    ("WINDOW", 1),
+    ("ABOVE", 32768),
+    ("BASE", 2),
+    ("DIGITS", 15),
+    ("GROUP_POWER", 32768),
+    ("BASE_MAGIC", 1),
+    ("BASE_SHIFT", 0),
+    ("POWER_MAGIC", 1),
+    ("POWER_SHIFT", 14),
+];
 
 const LATTICE: &[Word] = &[
     ("KIND", 18),
@@ -163,7 +176,19 @@ impl Family {
                 "POWER_SHIFT",
             ],
             Self::Net | Self::Random | Self::Strata => &["KIND", "DIMENSION"],
-            Self::Digits => &["KIND", "BASE"],
+            Self::Digits => &[
+                "KIND",
+                "LOW",
+                "WINDOW",
+                "ABOVE",
+                "BASE",
+                "DIGITS",
+                "GROUP_POWER",
+                "BASE_MAGIC",
+                "BASE_SHIFT",
+                "POWER_MAGIC",
+                "POWER_SHIFT",
+            ],
             Self::Lattice => &["KIND"],
         }
     }

@@ -59,18 +59,24 @@ pub fn owen(x: u32, dimension: u32, seed: UVec2) -> u32 {
     x ^ flips
 }
 
-/// The permutation of Laine and Karras: in reverse order, so that a digit changes only by
-/// those before it, which products carry upwards.
+/// The permutation of Laine and Karras of a fraction whose digits are in reverse order, so
+/// that a digit changes only by those before it, which products carry upwards.
 #[inline]
 #[must_use]
-pub fn owen_hash(mut x: u32, seed: u32) -> u32 {
-    x = reverse_bits(x);
+pub fn owen_hash_reversed(mut x: u32, seed: u32) -> u32 {
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(seed);
     x = x.wrapping_mul((seed >> 16) | 1);
     x ^= x.wrapping_mul(0x0552_6c56);
     x ^= x.wrapping_mul(0x53a2_2864);
     reverse_bits(x)
+}
+
+/// The same of a fraction.
+#[inline]
+#[must_use]
+pub fn owen_hash(x: u32, seed: u32) -> u32 {
+    owen_hash_reversed(reverse_bits(x), seed)
 }
 
 /// The digits of x times a random lower triangular matrix over {0, 1} with ones on its

@@ -1,12 +1,13 @@
 //! Exact sums of fixed-point terms and of their squares: no bit depends on the order.
 //!
 //! Source: Kulisch 2002, Advanced Arithmetic for the Digital Computer, ch. 4: a long
-//! accumulator in place of rounding. Domain: terms of 64 bits and a sign, at most 2^62 of
-//! them. Range: exact; a term made of a real is its nearest multiple of 2^-scale, halves
-//! away from zero, at most 2^64 - 1 of them. Tier I.
+//! accumulator in place of rounding, and carries that wait in a redundant one. Domain: terms
+//! of 64 bits and a sign, at most 2^62 of them; in a tally at most 2^16. Range: exact; a term
+//! made of a real is its nearest multiple of 2^-scale, halves away from zero, at most
+//! 2^64 - 1 of them. Tier I.
 //! Mirror: `shaders/corput/sum.glsl`.
 
-use crate::reference::fixed::{addc, mul64, shl64};
+use crate::reference::fixed::{addc, mul64, shl64, sub64};
 use crate::reference::real::Real;
 use glam::{UVec2, UVec4, uvec2, uvec4};
 
@@ -100,5 +101,92 @@ pub fn sum_add(sum: Sum, term: Term) -> Sum {
         total: uvec4(w0.x, w1.x, w2.x, w3),
         squares: uvec4(q0.x, q1.x, q2.x, q3.x),
         squares_high: uvec2(q4.x, sum.squares_high.y.wrapping_add(q4.y)),
+    }
+}
+
+/// Sums of up to 2^16 terms before any carry: place k of four has units of 2^(16 k).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tally {
+    /// Of the lower 64 bits of each term in two's complement.
+    pub total: UVec4,
+    /// Of the squares: those of the lower words,
+    pub outer: UVec4,
+    /// the products of both,
+    pub cross: UVec4,
+    /// those of the upper.
+    pub inner: UVec4,
+    /// Terms below zero.
+    pub negatives: u32,
+}
+
+/// The tally of nothing.
+#[inline]
+#[must_use]
+pub fn tally_zero() -> Tally {
+    Tally {
+        total: UVec4::ZERO,
+        outer: UVec4::ZERO,
+        cross: UVec4::ZERO,
+        inner: UVec4::ZERO,
+        negatives: 0,
+    }
+}
+
+/// 64 bits in four places.
+#[inline]
+#[must_use]
+pub fn tally_places(v: UVec2) -> UVec4 {
+    uvec4(v.x & 0xffff, v.x >> 16, v.y & 0xffff, v.y >> 16)
+}
+
+/// The tally with one term more.
+#[inline]
+#[must_use]
+pub fn tally_add(tally: Tally, term: Term) -> Tally {
+    let negative = u32::from(term.negative);
+    let flip = 0u32.wrapping_sub(negative);
+    // Of -m the complement; the one more is that of `negatives`.
+    Tally {
+        total: tally.total + tally_places(uvec2(term.m.x ^ flip, term.m.y ^ flip)),
+        outer: tally.outer + tally_places(mul64(term.m.x, term.m.x)),
+        cross: tally.cross + tally_places(mul64(term.m.x, term.m.y)),
+        inner: tally.inner + tally_places(mul64(term.m.y, term.m.y)),
+        negatives: tally.negatives + negative,
+    }
+}
+
+/// Four places carried: the lower three of four words.
+#[inline]
+#[must_use]
+pub fn tally_carried(places: UVec4) -> UVec4 {
+    let w0 = addc(places.x, places.y << 16);
+    let middle = addc(places.z, (places.y >> 16) + w0.y);
+    let w1 = addc(middle.x, places.w << 16);
+    uvec4(w0.x, w1.x, (places.w >> 16) + middle.y + w1.y, 0)
+}
+
+/// What the terms of a tally come to.
+#[inline]
+#[must_use]
+pub fn tally_sum(tally: Tally) -> Sum {
+    let t = tally_carried(tally.total);
+    let t0 = addc(t.x, tally.negatives);
+    let t1 = addc(t.y, t0.y);
+    // Each complement of 64 bits is 2^64 too much.
+    let high = sub64(uvec2(t.z + t1.y, 0), uvec2(tally.negatives, 0));
+    let o = tally_carried(tally.outer);
+    let c = tally_carried(tally.cross);
+    let i = tally_carried(tally.inner);
+    // The cross products count twice, one word up.
+    let s1 = addc(o.y, c.x << 1);
+    let a2 = addc(o.z, i.x);
+    let b2 = addc((c.y << 1) | (c.x >> 31), s1.y);
+    let s2 = addc(a2.x, b2.x);
+    let a3 = addc((c.z << 1) | (c.y >> 31), i.y);
+    let s3 = addc(a3.x, a2.y + b2.y + s2.y);
+    Sum {
+        total: uvec4(t0.x, t1.x, high.x, high.y),
+        squares: uvec4(o.x, s1.x, s2.x, s3.x),
+        squares_high: uvec2(i.z + a3.y + s3.y, 0),
     }
 }

@@ -73,15 +73,7 @@ pub fn column_words(column: Column, window: u32) -> Vec<u32> {
             base,
             scramble,
             seed,
-        } => {
-            let kind = match scramble {
-                DigitScramble::Faure => column_kind::FAURE,
-                DigitScramble::Permuted => column_kind::PERMUTED,
-                DigitScramble::Owen => column_kind::OWEN,
-                DigitScramble::Started => column_kind::STARTED,
-            };
-            vec![kind, base, seed]
-        }
+        } => digits(base, scramble, seed, window),
         Column::Lattice { z, shift } => vec![column_kind::LATTICE, z, 0, 1, shift],
         Column::Korobov { z, count, shift } => {
             let kind = match shift {
@@ -140,6 +132,10 @@ fn net(dimension: u32, gray: bool, scramble: NetScramble, seed: [u32; 2]) -> Vec
     if scramble == NetScramble::Matrix {
         directions = directions.map(|v| matrix_scramble(v, dimension, seed));
     }
+    // The hash takes its digits in reverse order, which is linear too.
+    if scramble == NetScramble::OwenHash {
+        directions = directions.map(u32::reverse_bits);
+    }
     let kind = match scramble {
         NetScramble::None | NetScramble::Shift | NetScramble::Matrix => column_kind::SOBOL,
         NetScramble::Owen => column_kind::SOBOL_OWEN,
@@ -154,6 +150,37 @@ fn net(dimension: u32, gray: bool, scramble: NetScramble, seed: [u32; 2]) -> Vec
     let mut words = vec![kind, shift, dimension, seed.x, seed.y, hash];
     words.extend(directions);
     words
+}
+
+/// Permutations of positions are the same for all points, so that only the lowest digits are
+/// permuted anew within `window` points.
+fn digits(base: u32, scramble: DigitScramble, seed: u32, window: u32) -> Vec<u32> {
+    let kind = match scramble {
+        DigitScramble::Faure => column_kind::FAURE,
+        DigitScramble::Permuted => column_kind::PERMUTED,
+        DigitScramble::Owen => column_kind::OWEN,
+        DigitScramble::Started => column_kind::STARTED,
+    };
+    let r = radical_base(base);
+    let (mut low, mut block) = (0, 1);
+    while block < window && low < r.digits && kind == column_kind::PERMUTED {
+        block *= r.base;
+        low += 1;
+    }
+    vec![
+        kind,
+        seed,
+        low,
+        block,
+        r.power / block,
+        r.base,
+        r.digits,
+        r.power,
+        r.base_magic,
+        r.base_shift,
+        r.power_magic,
+        r.power_shift,
+    ]
 }
 
 fn radical(column: Column, window: u32) -> Vec<u32> {

@@ -142,7 +142,7 @@ pub(super) fn allocate(
     buffers: &[(u32, vk::Buffer, u64, u64)],
 ) -> Result<vk::DescriptorSet> {
     check_uniforms(pipeline, buffers)?;
-    let layouts = [pipeline.set_layout];
+    let layouts = [pipeline.compiled.set_layout];
     let create = vk::DescriptorSetAllocateInfo::default()
         .descriptor_pool(pool)
         .set_layouts(&layouts);

@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use super::info::DeviceInfo;
 use super::instance::Instance;
+use super::kept::Kept;
 use super::submit::Lane;
 use super::{WAIT_SECONDS, failed, query};
 use crate::error::{Error, Result};
@@ -26,6 +27,8 @@ pub struct Device {
     pub(super) memory: vk::PhysicalDeviceMemoryProperties,
     pub(super) non_coherent_atom: u64,
     pub(super) lane: Mutex<Lane>,
+    /// Compiled pipelines, if they are kept.
+    pub(super) kept: Mutex<Option<Kept>>,
     /// A wait has timed out, so work may still be running.
     pub(super) hung: AtomicBool,
     /// Nanoseconds.
@@ -148,6 +151,7 @@ impl Device {
             memory,
             non_coherent_atom: properties.limits.non_coherent_atom_size.max(1),
             lane: Mutex::default(),
+            kept: Mutex::default(),
             hung: AtomicBool::new(false),
             wait_limit: AtomicU64::new(nanoseconds(Duration::from_secs(WAIT_SECONDS))),
             owned,
@@ -226,6 +230,10 @@ impl Drop for Device {
         }
         let lane = std::mem::take(self.lane.get_mut().unwrap_or_else(PoisonError::into_inner));
         lane.destroy(&self.raw);
+        let kept = self.kept.get_mut().unwrap_or_else(PoisonError::into_inner);
+        for compiled in kept.take().into_iter().flat_map(|kept| kept.into_values()) {
+            compiled.destroy(&self.raw);
+        }
         if self.owned {
             // SAFETY: every submission was waited for, and all that was made from
             // the device held an `Arc` of it, so nothing of it is left.

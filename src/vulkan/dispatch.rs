@@ -144,13 +144,13 @@ unsafe fn write(
     let (raw, point) = (device.raw(), vk::PipelineBindPoint::COMPUTE);
     // SAFETY: the caller vouches for the handles; the counts are within limits.
     unsafe {
-        raw.cmd_bind_pipeline(commands, point, pipeline.raw);
+        raw.cmd_bind_pipeline(commands, point, pipeline.compiled.raw);
         if !pipeline.bindings.is_empty() {
-            raw.cmd_bind_descriptor_sets(commands, point, pipeline.layout, 0, &[set], &[]);
+            raw.cmd_bind_descriptor_sets(commands, point, pipeline.compiled.layout, 0, &[set], &[]);
         }
         if !push.is_empty() {
             let stage = vk::ShaderStageFlags::COMPUTE;
-            raw.cmd_push_constants(commands, pipeline.layout, stage, 0, push);
+            raw.cmd_push_constants(commands, pipeline.compiled.layout, stage, 0, push);
         }
         raw.cmd_dispatch(commands, x, y, 1);
     }

@@ -34,6 +34,7 @@ mod device;
 mod dispatch;
 mod info;
 mod instance;
+mod kept;
 mod memory;
 mod pipeline;
 mod probe;

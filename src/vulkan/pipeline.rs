@@ -5,6 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::device::{Device, inadequate};
+use super::kept::{Compiled, key};
 use super::{MAX_BINDINGS, failed};
 use crate::error::{Error, Result};
 
@@ -30,9 +31,9 @@ pub struct PipelineDescription<'a> {
 pub struct Pipeline {
     device: Arc<Device>,
     name: String,
-    pub(super) raw: vk::Pipeline,
-    pub(super) layout: vk::PipelineLayout,
-    pub(super) set_layout: vk::DescriptorSetLayout,
+    pub(super) compiled: Compiled,
+    /// Else the device keeps what was compiled.
+    owned: bool,
     pub(super) bindings: Vec<u32>,
     pub(super) uniforms: Vec<u32>,
     pub(super) push_constant_bytes: u32,
@@ -64,13 +65,17 @@ impl Pipeline {
         let mut pipeline = Self {
             device: Arc::clone(device),
             name: description.name.to_owned(),
-            raw: vk::Pipeline::null(),
-            layout: vk::PipelineLayout::null(),
-            set_layout: vk::DescriptorSetLayout::null(),
+            compiled: Compiled::default(),
+            owned: true,
             bindings: description.bindings.to_vec(),
             uniforms: uniforms.to_vec(),
             push_constant_bytes: description.push_constant_bytes,
         };
+        let key = key(description, uniforms);
+        if let Some(kept) = device.kept(&key) {
+            (pipeline.compiled, pipeline.owned) = (kept, false);
+            return Ok(pipeline);
+        }
         // On an error, dropping `pipeline` destroys what was made.
         pipeline.create_layout()?;
         let create = vk::ShaderModuleCreateInfo::default().code(description.spirv);
@@ -80,7 +85,8 @@ impl Pipeline {
         let compiled = pipeline.compile(module, description.specialization);
         // SAFETY: pipelines need their module no longer once they are made.
         unsafe { device.raw().destroy_shader_module(module, None) };
-        pipeline.raw = compiled?;
+        pipeline.compiled.raw = compiled?;
+        pipeline.owned = !device.keep(key, pipeline.compiled);
         Ok(pipeline)
     }
 
@@ -93,7 +99,7 @@ impl Pipeline {
     /// The handle, for command buffers of the caller.
     #[must_use]
     pub fn raw(&self) -> vk::Pipeline {
-        self.raw
+        self.compiled.raw
     }
 
     /// What is bound there.
@@ -108,7 +114,7 @@ impl Pipeline {
     /// The layout: set 0 with the buffers, and the push constants.
     #[must_use]
     pub fn layout(&self) -> vk::PipelineLayout {
-        self.layout
+        self.compiled.layout
     }
 
     pub(super) fn device(&self) -> &Arc<Device> {
@@ -130,9 +136,9 @@ impl Pipeline {
             .collect();
         let create = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
         // SAFETY: the device is alive, and the bindings are distinct.
-        self.set_layout = unsafe { raw.create_descriptor_set_layout(&create, None) }
+        self.compiled.set_layout = unsafe { raw.create_descriptor_set_layout(&create, None) }
             .map_err(failed("vkCreateDescriptorSetLayout"))?;
-        let sets = [self.set_layout];
+        let sets = [self.compiled.set_layout];
         let push = [vk::PushConstantRange {
             stage_flags: vk::ShaderStageFlags::COMPUTE,
             offset: 0,
@@ -143,7 +149,7 @@ impl Pipeline {
             create = create.push_constant_ranges(&push);
         }
         // SAFETY: the set layout was just made, and the range is within the limit.
-        self.layout = unsafe { raw.create_pipeline_layout(&create, None) }
+        self.compiled.layout = unsafe { raw.create_pipeline_layout(&create, None) }
             .map_err(failed("vkCreatePipelineLayout"))?;
         Ok(())
     }
@@ -171,7 +177,7 @@ impl Pipeline {
             .specialization_info(&specialization);
         let create = [vk::ComputePipelineCreateInfo::default()
             .stage(stage)
-            .layout(self.layout)];
+            .layout(self.compiled.layout)];
         // SAFETY: module and layout are of this device and alive, and all that
         // `create` points to lives until the call returns.
         let made = unsafe {
@@ -186,17 +192,9 @@ impl Pipeline {
 
 impl Drop for Pipeline {
     fn drop(&mut self) {
-        if self.device.is_hung() {
-            return; // work may still use it
-        }
-        // SAFETY: every submission that used it was waited for. Null handles are
-        // allowed.
-        unsafe {
-            self.device.raw().destroy_pipeline(self.raw, None);
-            self.device.raw().destroy_pipeline_layout(self.layout, None);
-            self.device
-                .raw()
-                .destroy_descriptor_set_layout(self.set_layout, None);
+        // Of a hung device work may still use it.
+        if self.owned && !self.device.is_hung() {
+            self.compiled.destroy(self.device.raw());
         }
     }
 }

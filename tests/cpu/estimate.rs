@@ -9,7 +9,9 @@ use corput::glam::{UVec2, uvec2};
 use corput::judge;
 use corput::reference::permute::permute_mix as mix;
 use corput::reference::real::{Real, real_zero};
-use corput::reference::sum::{Sum, Term, sum_add, sum_zero, term};
+use corput::reference::sum::{
+    Sum, Term, sum_add, sum_zero, tally_add, tally_sum, tally_zero, term,
+};
 
 fn problem(text: &str) -> Problem {
     Problem::parse(text).unwrap_or_else(|error| panic!("{error}"))
@@ -87,6 +89,34 @@ fn sums_of_hostile_terms_are_exact() {
     for negative in [false, true] {
         let m = UVec2::ZERO;
         assert_eq!(sum_add(sum, Term { m, negative }), sum);
+    }
+}
+
+#[test]
+fn tallies_have_the_sums_of_their_terms() {
+    let mut tally = tally_zero();
+    let mut sum = sum_zero();
+    assert_eq!(tally_sum(tally), sum);
+    for term in hostile_terms() {
+        tally = tally_add(tally, term);
+        sum = sum_add(sum, term);
+        assert_eq!(tally_sum(tally), sum, "{term:?}");
+    }
+    // As many terms as a tally takes, each as large as a term may be, or as its complement is.
+    for (m, negative) in [
+        (UVec2::MAX, false),
+        (UVec2::MAX, true),
+        (UVec2::ZERO, true),
+        (uvec2(1, 0), true),
+        (uvec2(u32::MAX, 0), false),
+        (uvec2(0, u32::MAX), true),
+    ] {
+        let (mut tally, mut sum) = (tally_zero(), sum_zero());
+        for _ in 0..1 << 16 {
+            tally = tally_add(tally, Term { m, negative });
+            sum = sum_add(sum, Term { m, negative });
+        }
+        assert_eq!(tally_sum(tally), sum, "{m} {negative}");
     }
 }
 

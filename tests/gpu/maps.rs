@@ -36,18 +36,22 @@ fn mismatches(engine: &mut Generator, request: &Request) -> (u64, u64) {
 
 fn equal_the_reference(count: u64) {
     support::on_each_device(|device| {
-        for map in maps() {
-            for mapping in examples(map).unwrap_or_else(|error| panic!("{error}")) {
-                let request = request(&mapping, count);
+        // The examples of a map share a pipeline.
+        device.keep_pipelines();
+        let all: Vec<_> = maps().map(examples).collect();
+        support::at_once(&all, |mappings| {
+            let mappings = mappings.as_ref().unwrap_or_else(|error| panic!("{error}"));
+            for mapping in mappings {
+                let request = request(mapping, count);
                 let mut engine =
                     Generator::new(device, &request).unwrap_or_else(|error| panic!("{error}"));
                 let (differ, words) = mismatches(&mut engine, &request);
-                let label = format!("{} {:?}", map.name, mapping.values());
+                let label = format!("{} {:?}", mapping.map().name, mapping.values());
                 println!("{label}: {differ} of {words} words differ");
                 assert_eq!(differ, 0, "{label}");
                 assert_eq!(words, count * u64::from(request.words_per_point()));
             }
-        }
+        });
     });
 }
 
@@ -70,12 +74,14 @@ fn other_samples_are_seen() {
             .filter(|map| (map.dimensions, map.coordinates) == (2, 3))
             .flat_map(|map| examples(map).unwrap_or_else(|error| panic!("{error}")))
             .collect();
-        for pair in all.windows(2) {
+        device.keep_pipelines();
+        let pairs: Vec<_> = all.windows(2).collect();
+        support::at_once(&pairs, |pair| {
             let made = request(&pair[0], 1 << 10);
             let mut engine =
                 Generator::new(device, &made).unwrap_or_else(|error| panic!("{error}"));
             let (differ, _) = mismatches(&mut engine, &request(&pair[1], 1 << 10));
             assert!(differ > 0, "{:?} and {:?}", pair[0], pair[1]);
-        }
+        });
     });
 }

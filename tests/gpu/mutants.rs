@@ -7,7 +7,8 @@ mod harness;
 mod list;
 mod support;
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
 
 use corput::check::Verdict;
 use corput::compile;
@@ -52,24 +53,28 @@ fn passes(outcome: &Outcome) -> bool {
 #[test]
 fn every_mutant_is_killed() {
     support::on_one_device(|device| {
-        let mut survivors = Vec::new();
-        for Mutant {
-            name,
-            edit,
-            target,
-            killer,
-        } in mutants()
-        {
+        device.keep_pipelines();
+        let survivors = Mutex::new(Vec::new());
+        let survived = |what| survivors.lock().expect("no panic").push(what);
+        let all: Vec<&Mutant> = mutants().collect();
+        support::at_once(&all, |mutant| {
+            let Mutant {
+                name,
+                edit,
+                target,
+                killer,
+            } = mutant;
             match death(&run(device, Some(edit), *target)) {
                 Some((by, figures)) => {
                     println!("{name}: {by:?}: {figures}");
                     if by != *killer {
-                        survivors.push(format!("{name}: killed by {by:?}, not {killer:?}"));
+                        survived(format!("{name}: killed by {by:?}, not {killer:?}"));
                     }
                 }
-                None => survivors.push(format!("{name} on {target:?}\n{}", edit.diff())),
+                None => survived(format!("{name} on {target:?}\n{}", edit.diff())),
             }
-        }
+        });
+        let survivors = survivors.into_inner().expect("no panic");
         assert!(survivors.is_empty(), "survivors:\n{}", survivors.join("\n"));
     });
 }
@@ -78,19 +83,16 @@ fn every_mutant_is_killed() {
 #[test]
 fn the_unmutated_source_passes_on_the_same_path() {
     support::on_one_device(|device| {
-        let mut seen = Vec::new();
-        for Mutant { target, .. } in mutants() {
-            let label = format!("{target:?}");
-            if seen.contains(&label) {
-                continue;
-            }
+        device.keep_pipelines();
+        let targets = mutants().map(|mutant| (format!("{:?}", mutant.target), mutant.target));
+        let targets: Vec<_> = targets.collect::<BTreeMap<_, _>>().into_iter().collect();
+        support::at_once(&targets, |(label, target)| {
             let row = harness::row(device, *target);
             let words = compile::check(&spirv(row, None), row.profile).expect("a clean module");
             let shipped = kernels::spirv(row.name).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(words, shipped, "{}", row.name);
             assert!(passes(&run(device, None, *target)), "{label}");
-            seen.push(label);
-        }
+        });
     });
 }
 

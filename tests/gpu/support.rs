@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test uses a part of it")]
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use corput::Error;
 use corput::vulkan::{
@@ -91,6 +92,22 @@ fn on_device(instance: &Arc<Instance>, info: &DeviceInfo, test: impl Fn(&Arc<Dev
     drop(device);
     let said = instance.take_validation_messages();
     assert!(said.is_empty(), "validation on {}: {said:#?}", info.name);
+}
+
+/// Calls `test` with every item, on as many threads as there are cores: what drivers and
+/// references compute on one.
+pub fn at_once<T: Sync>(items: &[T], test: impl Fn(&T) + Sync) {
+    let next = AtomicUsize::new(0);
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some(item) = items.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    test(item);
+                }
+            });
+        }
+    });
 }
 
 /// Whether tests on devices are to be skipped, which is said aloud.

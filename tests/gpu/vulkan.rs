@@ -182,6 +182,52 @@ fn specialization_constants_arrive() {
     });
 }
 
+/// Once a device keeps its pipelines, others of the same words and constants are the same, even
+/// after they were dropped, and from several threads; others are not.
+#[test]
+fn kept_pipelines_serve_again() {
+    let spirv = shader(
+        &format!("layout(constant_id = 0) const uint A = 0u; {OUT}"),
+        "if (i < uint(o.length())) o[i] += A;",
+    );
+    on_each_device(|device| {
+        let make = |value: u32, bindings: &[u32]| {
+            let description = PipelineDescription {
+                name: "kept",
+                spirv: &spirv,
+                bindings,
+                push_constant_bytes: 0,
+                specialization: &[(0, value)],
+            };
+            Pipeline::new(device, &description).unwrap()
+        };
+        let (one, other) = (make(1, &[0]), make(1, &[0]));
+        assert_ne!(one.raw(), other.raw());
+        device.keep_pipelines();
+        let kept = make(1, &[0]).raw();
+        assert_ne!(kept, one.raw());
+        drop((one, other));
+        // Keeping again forgets nothing.
+        device.keep_pipelines();
+        assert_eq!(make(1, &[0]).raw(), kept);
+        assert_ne!(make(2, &[0]).raw(), kept);
+        assert_ne!(make(1, &[0, 1]).raw(), kept);
+        let mut buffer = Buffer::new(device, 4 * 64, Access::Readback).unwrap();
+        buffer.fill_zero().unwrap();
+        std::thread::scope(|scope| {
+            for value in [1, 2, 3, 1, 2, 3] {
+                let (make, buffer) = (&make, &buffer);
+                scope.spawn(move || {
+                    let pipeline = make(value, &[0]);
+                    device.run(&pipeline, &[(0, buffer)], &[], 1).unwrap();
+                });
+            }
+        });
+        let sums = buffer.read(0, 4 * 64, words).unwrap();
+        assert_eq!(sums, [12; 64]);
+    });
+}
+
 #[test]
 fn uniform_blocks_are_read_and_may_not_be_long() {
     let spirv = shader(
