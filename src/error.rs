@@ -167,6 +167,16 @@ pub enum Error {
         /// What to do.
         remedy: String,
     },
+    /// A document that cannot be read or used.
+    #[error("cannot use {}: {problem}; {remedy}", path.display())]
+    Document {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// A study file that cannot be read or used.
     #[error("cannot use study {}: {problem}; {remedy}", path.display())]
     Study {
@@ -321,6 +331,7 @@ impl Error {
             | Self::Output { .. }
             | Self::Image { .. }
             | Self::Points { .. }
+            | Self::Document { .. }
             | Self::Study { .. }
             | Self::UnknownDevice { .. } => 2,
             Self::NoDevice { .. } | Self::InadequateDevice { .. } => 3,

@@ -17,6 +17,7 @@
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
+//! - `vectors`: words of all of it, for ports to test themselves with.
 //!
 //! Features: `cli` (default) is the command line; `gpu` the Vulkan host and the stock
 //! kernels, for which glslang's C++ is compiled; `images` reads environment maps and
@@ -40,6 +41,8 @@ pub mod accuracy;
 pub mod bench;
 pub mod blue_noise;
 pub mod bulk;
+#[cfg(feature = "gpu")]
+pub mod card;
 pub mod catalog;
 #[cfg(feature = "gpu")]
 pub mod check;
@@ -69,6 +72,8 @@ pub mod spirv;
 pub mod stats;
 pub mod tables;
 pub mod variant;
+#[cfg(feature = "gpu")]
+pub mod vectors;
 #[cfg(feature = "gpu")]
 pub mod vulkan;
 

@@ -29,6 +29,7 @@ mod text;
 mod tradeoff;
 mod work_precision;
 
+pub use crate::report::escape;
 pub use gallery::{GalleryStyle, Panel, Points, gallery};
 pub use lines::{LinesStyle, Series, error_lines};
 pub use numbers::{duration, grouped, scientific};
@@ -37,7 +38,6 @@ pub use palette::dark_rules;
 pub use png::to_png;
 pub use scatter::{ScatterStyle, points_and_directions, scatter, scatter_directions};
 pub use sheet::{SheetStyle, Stack, View, sheet};
-pub use svg::escape;
 pub use tradeoff::{Tradeoff, TradeoffStyle, tradeoff};
 pub use work_precision::{Curve, MAX_CURVES, Measured, Work, WorkPrecisionStyle, work_precision};
 

@@ -82,6 +82,7 @@ pub fn compare_mask(kernel: &VoidAndCluster) -> Result<Row> {
             Err(Error::CheckFailed { .. }) => vec![u32::MAX; shape.pixels() as usize],
             got => got?,
         };
+        row.hash(&got);
         let expected = void_and_cluster(shape, SEED);
         for (i, (got, expected)) in got.iter().zip(&expected).enumerate() {
             row.count(got == expected, || {

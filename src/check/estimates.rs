@@ -1,7 +1,7 @@
 //! The estimate kernels: exact sums of every integrand, over points of every family.
 
 use super::inputs::mix;
-use super::rows::Row;
+use super::rows::{Row, words128};
 use crate::Result;
 use crate::bulk::{estimate, integrand_term};
 use crate::catalog::{Integrand, Options, Problem, Request, Scramble, Sequence, examples};
@@ -83,6 +83,11 @@ pub fn compare_estimates(integrand: &'static Integrand, sums: Sums) -> Result<Ro
         for request in requests(problem, every)? {
             let expected = estimate(problem, &request, 0, request.count)?;
             for got in sums(problem, &request)? {
+                row.hash(&words128(got.sum() as u128));
+                let parts = got.squares().parts();
+                parts
+                    .iter()
+                    .for_each(|part| row.hash(&[*part as u32, (part >> 32) as u32]));
                 row.count(got == expected, || {
                     format!(
                         "{} {:?}, d = {}: {} and {}, not {} and {}",

@@ -2,7 +2,7 @@
 
 use super::blue_noise;
 use super::inputs::arguments;
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use super::{discrete, domain, net, random, real, strata, transcendental};
 use crate::Result;
 use crate::catalog::Function;
@@ -38,7 +38,7 @@ pub fn compare_function(
     let mut mismatch = None;
     let mut witness = String::new();
     for (&a, &got) in arguments.iter().zip(&results) {
-        let expected = reference(function.name, a);
+        let expected = function_words(function.name, a);
         if got != expected {
             mismatches += 1;
             mismatch.get_or_insert_with(|| format!("{a:08x?}: {got:08x?}, not {expected:08x?}"));
@@ -52,20 +52,16 @@ pub fn compare_function(
             }
         }
     }
-    Ok(Row {
-        name: function.name.to_owned(),
-        kernel: kernel.to_owned(),
-        profile: "exact",
-        tier: function.tier.letter(),
-        compared: arguments.len() as u64,
-        mismatches: Some(mismatches),
-        worst: function.bound.map(|_| worst),
-        bound: function.bound,
-        unit: function.unit,
-        witness: mismatch.unwrap_or(witness),
-        verdict: Verdict::Failed,
-    }
-    .judged())
+    let mut row = Row::exact(function.name, kernel);
+    row.tier = function.tier.letter();
+    row.compared = arguments.len() as u64;
+    row.mismatches = Some(mismatches);
+    row.worst = function.bound.map(|_| worst);
+    row.bound = function.bound;
+    row.unit = function.unit;
+    row.witness = mismatch.unwrap_or(witness);
+    row.hash(results.as_flattened());
+    Ok(row.judged())
 }
 
 fn f(word: u32) -> f32 {
@@ -90,8 +86,10 @@ fn local(word: u32) -> Vec3 {
     hemisphere::cosine_hemisphere(uvec2(word, word.wrapping_mul(0x9e37_79b9)))
 }
 
-/// What the device must give: `evaluate.comp`, line by line.
-fn reference(name: &str, a: [u32; 4]) -> [u32; 4] {
+/// What a device must give of a function of the catalogue, by its name: the `evaluate` kernels,
+/// line by line.
+#[must_use]
+pub fn function_words(name: &str, a: [u32; 4]) -> [u32; 4] {
     let u = uvec2(a[0], a[1]);
     let v = v3(a);
     let two = |x: UVec2, y: UVec2| [x.x, x.y, y.x, y.y];

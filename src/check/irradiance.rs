@@ -1,7 +1,7 @@
 //! The irradiance kernel and its lookup of texels, on a map of noise.
 
 use super::inputs::mix;
-use super::rows::Row;
+use super::rows::{Row, words128};
 use crate::Result;
 use crate::bulk::{RadianceMap, irradiance_sum, row_edges, sum_scale};
 use crate::kernels::Irradiator;
@@ -29,6 +29,7 @@ pub fn check(device: &Arc<Device>) -> Result<Row> {
     let mut row = Row::exact("irradiance, envmap_texel", "irradiance");
     for axis in 0..6 {
         let got = irradiator.run(axis, COUNT, scale)?.0.channels;
+        got.iter().for_each(|sum| row.hash(&words128(*sum)));
         let expected = irradiance_sum(map, axis, COUNT, scale);
         row.count(got == expected, || {
             format!("axis {axis}: {got:x?}, not {expected:x?}")

@@ -5,7 +5,7 @@ mod environment;
 mod truth;
 
 use super::inputs::mix;
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use crate::bulk::{map_invert, map_pdf, map_sample};
 use crate::catalog::{Group, Map, Mapping, Profile};
 use crate::interface::task;
@@ -158,6 +158,7 @@ pub fn compare_map(
 fn prepared(mapper: &Mapper, mapping: &Mapping, row: &mut Row) -> Result<()> {
     for expected in mapping.tables() {
         let got = mapper.prepare(expected.len())?;
+        row.hash(&got);
         row.count(&got == expected, || {
             format!("{:?}: {got:08x?}, not {expected:08x?}", mapping.values())
         });
@@ -175,6 +176,7 @@ fn sampled(mapper: &Mapper, mapping: &Mapping, row: &mut Row) -> Result<()> {
     let map = mapping.map();
     let list = fractions();
     let (words, _) = mapper.run(&inputs(map, &list))?;
+    row.hash(&words);
     let width = map.coordinates as usize + 1;
     for (u, got) in list.into_iter().zip(words.chunks_exact(width)) {
         let mut u = u;
@@ -233,6 +235,7 @@ fn inverse(
     let list = samples(mapping);
     let rows: Vec<u32> = list.iter().flat_map(|&[x, y, z]| [x, y, z, 0]).collect();
     let (words, _) = mapper.run(&rows)?;
+    row.hash(&words);
     let width = words.len() / list.len();
     for (s, got) in list.into_iter().zip(words.chunks_exact(width)) {
         let expected = reference(s);
@@ -256,24 +259,14 @@ fn norm(coordinates: &[f64]) -> f64 {
 /// # Errors
 /// Those of the device.
 pub fn judge_native(mapper: &mut Mapper, map: &'static Map, mappings: &[Mapping]) -> Result<Row> {
-    let mut row = Row {
-        name: format!("native {}", map.name),
-        kernel: map.group.kernel(Profile::Native).to_owned(),
-        profile: "native",
-        tier: "-",
-        compared: 0,
-        mismatches: None,
-        worst: Some(0.0),
-        bound: Some(1.0),
-        unit: "of bound",
-        witness: String::new(),
-        verdict: Verdict::Failed,
-    };
+    let kernel = map.group.kernel(Profile::Native);
+    let mut row = Row::native(&format!("native {}", map.name), kernel, 1.0, "of bound");
     let list = fractions();
     let width = map.coordinates as usize + 1;
     for mapping in mappings {
         mapper.set(mapping)?;
         let (words, _) = mapper.run(&inputs(map, &list))?;
+        row.hash(&words);
         for (&u, got) in list.iter().zip(words.chunks_exact(width)) {
             let mut u = u;
             u[map.dimensions as usize..].fill(0);

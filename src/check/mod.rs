@@ -6,12 +6,14 @@
 
 mod blue_noise;
 mod cases;
+mod compare;
 mod discrete;
 mod domain;
 mod estimates;
 mod functions;
 mod inputs;
 mod irradiance;
+mod junit;
 mod maps;
 mod native;
 mod native_points;
@@ -26,9 +28,11 @@ mod tasks;
 mod transcendental;
 
 pub use blue_noise::compare_mask;
+pub use compare::{Comparison, compare};
 pub use estimates::{compare_estimates, judged_range};
-pub use functions::compare_function;
+pub use functions::{compare_function, function_words};
 pub use inputs::{arguments, mix};
+pub use junit::junit;
 pub use maps::{compare_map, examples, fractions, judge_native, truth};
 pub use native::{NATIVE, NativeRow, compare_native};
 pub use pairs::{compare_nearest, compare_pair_sums};
@@ -41,6 +45,7 @@ use crate::kernels::probe;
 use crate::vulkan::{Device, Probe};
 use crate::{Error, Result};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use tasks::Task;
 
 /// What to check.
@@ -48,6 +53,8 @@ use tasks::Task;
 pub struct Options {
     /// Only rows whose name, header or kernel contains this.
     pub only: Option<String>,
+    /// Begin no row after so long; what is left out is named.
+    pub time: Option<Duration>,
 }
 
 /// What came out.
@@ -57,6 +64,8 @@ pub struct Outcome {
     pub probe: Probe,
     /// The rows, in the order of the catalogue.
     pub rows: Vec<Row>,
+    /// What there was no time for.
+    pub left_out: Vec<String>,
 }
 
 impl Outcome {
@@ -87,12 +96,15 @@ impl Outcome {
 /// dropped.
 ///
 /// # Errors
-/// Those of the device, and [`Error::Arguments`] where no row is left to check.
+/// Those of the device, and [`Error::Arguments`] where no row is left to check, or time for one.
 pub fn run(
     device: &Arc<Device>,
     options: &Options,
     progress: &mut dyn FnMut(&Row),
 ) -> Result<Outcome> {
+    let deadline = options
+        .time
+        .and_then(|time| Instant::now().checked_add(time));
     let probe = probe(device)?;
     let wanted = |names: &[&str]| match &options.only {
         None => true,
@@ -102,30 +114,33 @@ pub fn run(
     tasks.extend(of_points(device, &wanted)?);
     for integrand in crate::catalog::integrands() {
         if wanted(&[integrand.name, "estimate", "integrand", "sum", "genz"]) {
-            tasks.push(task(move || estimates::check(device, integrand)));
+            tasks.push(task(integrand.name, move || {
+                estimates::check(device, integrand)
+            }));
         }
     }
     if wanted(&["irradiance", "envmap_texel", "envmap"]) {
-        tasks.push(task(move || irradiance::check(device)));
+        tasks.push(task("irradiance", move || irradiance::check(device)));
     }
     if wanted(&["pairs", "discrepancy"]) {
-        tasks.push(task(move || pairs::check_sums(device)));
+        tasks.push(task("pairs", move || pairs::check_sums(device)));
     }
     if wanted(&["nearest", "distance"]) {
-        tasks.push(task(move || pairs::check_nearest(device)));
+        tasks.push(task("nearest", move || pairs::check_nearest(device)));
     }
     if wanted(&["blue_noise_mask", "void_and_cluster"]) {
-        tasks.push(task(move || blue_noise::check(device)));
+        tasks.push(task("blue_noise_mask", move || blue_noise::check(device)));
     }
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {
-            tasks.push(task(move || native::check(device, row)));
+            tasks.push(task(row.name, move || native::check(device, row)));
         }
     }
     for case in native_points::native_cases()? {
         if wanted(&[&case.name, case.kernel]) {
+            let name = case.name.clone();
             let check = move || native_points::check_native(device, &case, native::SINE);
-            tasks.push(task(check));
+            tasks.push(task(&name, check));
         }
     }
     if tasks.is_empty() {
@@ -136,13 +151,30 @@ pub fn run(
         });
     }
     device.keep_pipelines();
-    let rows = tasks::run(&tasks, progress)?;
-    Ok(Outcome { probe, rows })
+    let (rows, left_out) = tasks::run(&tasks, deadline, progress)?;
+    if rows.is_empty() {
+        return Err(Error::Arguments {
+            asked: format!(
+                "--seconds {}",
+                options.time.unwrap_or_default().as_secs_f64()
+            ),
+            limit: "no row began in that time".into(),
+            remedy: "give it more".into(),
+        });
+    }
+    Ok(Outcome {
+        probe,
+        rows,
+        left_out,
+    })
 }
 
 /// A task of one row.
-fn task<'a>(check: impl Fn() -> Result<Row> + Send + Sync + 'a) -> Task<'a> {
-    Box::new(move || Ok(vec![check()?]))
+fn task<'a>(name: &str, check: impl Fn() -> Result<Row> + Send + Sync + 'a) -> Task<'a> {
+    Task {
+        name: name.to_owned(),
+        check: Box::new(check),
+    }
 }
 
 /// The functions of the headers.
@@ -158,16 +190,18 @@ fn of_functions<'a>(
         }
         if function.tier == Tier::Float && !probe.tier_f() {
             let why = "the probe does not find rounding to nearest even";
-            tasks.push(task(move || Ok(Row::refused(function, why))));
+            tasks.push(task(function.name, move || Ok(Row::refused(function, why))));
             continue;
         }
-        tasks.push(task(move || {
+        tasks.push(task(function.name, move || {
             functions::check(device, function, function.kernel)
         }));
         // The same function built with CORPUT_PORTABLE, where there is such a module.
         let portable = format!("{}_portable", function.kernel);
         if KERNELS.iter().any(|kernel| kernel.name == portable) {
-            tasks.push(task(move || functions::check(device, function, &portable)));
+            tasks.push(task(function.name, move || {
+                functions::check(device, function, &portable)
+            }));
         }
     }
     tasks
@@ -181,13 +215,17 @@ fn of_points<'a>(
     let mut tasks = Vec::new();
     for case in cases::cases()? {
         if wanted(&[&case.name, case.kernel]) {
-            tasks.push(task(move || points::check(device, &case)));
+            tasks.push(task(&case.name.clone(), move || {
+                points::check(device, &case)
+            }));
         }
     }
     for map in crate::catalog::maps() {
         if wanted(&[map.name, map.group.kernel(Profile::Exact)]) {
             for (profile, of) in maps::tasks(map)? {
-                tasks.push(task(move || maps::check(device, map, profile, of)));
+                tasks.push(task(map.name, move || {
+                    maps::check(device, map, profile, of)
+                }));
             }
         }
     }

@@ -2,7 +2,7 @@
 //! precision tables allow.
 
 use super::inputs::arguments;
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use crate::Result;
 use crate::catalog::Kind;
 use crate::judge;
@@ -88,20 +88,12 @@ pub fn compare_native(
             witness = format!("{a:08x?}");
         }
     }
-    Ok(Row {
-        name: row.name.to_owned(),
-        kernel: "evaluate_native".to_owned(),
-        profile: "native",
-        tier: "-",
-        compared: arguments.len() as u64,
-        mismatches: None,
-        worst: Some(worst),
-        bound: Some(row.bound),
-        unit: "absolute",
-        witness,
-        verdict: Verdict::Failed,
-    }
-    .judged())
+    let mut row = Row::native(row.name, "evaluate_native", row.bound, "absolute");
+    row.compared = arguments.len() as u64;
+    row.worst = Some(worst);
+    row.witness = witness;
+    row.hash(results.as_flattened());
+    Ok(row.judged())
 }
 
 fn error(id: u32, a: [u32; 4], got: [u32; 4]) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::maps::{examples, truth};
 use super::points::{Case, Maker, case, points, starts};
-use super::rows::{Row, Verdict};
+use super::rows::Row;
 use crate::Result;
 use crate::catalog::{Profile, Request, maps};
 use crate::judge;
@@ -38,21 +38,11 @@ pub fn check_native(device: &Arc<Device>, case: &Case, bound: f64) -> Result<Row
     let mut maker = Maker::new(device, case)?;
     let points = points(request);
     let width = request.words_per_point() as usize;
-    let mut row = Row {
-        name: case.name.clone(),
-        kernel: format!("{}_native", case.kernel),
-        profile: "native",
-        tier: "-",
-        compared: 0,
-        mismatches: None,
-        worst: Some(0.0),
-        bound: Some(bound),
-        unit: "absolute",
-        witness: String::new(),
-        verdict: Verdict::Failed,
-    };
+    let kernel = format!("{}_native", case.kernel);
+    let mut row = Row::native(&case.name, &kernel, bound, "absolute");
     for start in starts(request.count, points) {
         let got = maker.words(start, points)?;
+        row.hash(&got);
         row.compared += (got.len() / width) as u64;
         for (n, words) in (request.first + start..).zip(got.chunks_exact(width)) {
             let u = [2, 3].map(|base| judge::radical_inverse(n as u32, base) as u32);

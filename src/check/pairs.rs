@@ -1,7 +1,7 @@
 //! The kernels over pairs of points: their sums and nearest pairs.
 
 use super::inputs::mix;
-use super::rows::Row;
+use super::rows::{Row, words128};
 use crate::Result;
 use crate::bulk::{Columns, NearestWords, nearest_words, pair_kind_of, pair_scale, pair_sum};
 use crate::kernels::Pairs;
@@ -55,6 +55,7 @@ pub fn compare_pair_sums(sum: Sum) -> Result<Row> {
         for kind in L2_KINDS {
             let scale = pair_scale(kind, dimensions);
             let got = sum(kind, &columns, scale)?;
+            row.hash(&words128(got));
             let expected = pair_sum(kind, &columns, scale);
             row.count(got == expected, || {
                 format!("{kind:?}, {dimensions} dimensions: {got:x}, not {expected:x}")
@@ -90,6 +91,10 @@ pub fn compare_nearest(search: Search) -> Result<Row> {
         let columns = columns(count, dimensions)?;
         for toroidal in [true, false] {
             let got = search(&columns, toroidal)?;
+            if let Some(found) = &got {
+                row.hash(&found.square.to_array());
+                row.hash(&found.rows);
+            }
             let expected = nearest_words(&columns, toroidal);
             row.count(got == expected, || {
                 format!("{dimensions} dimensions: {got:x?}, not {expected:x?}")

@@ -1,7 +1,9 @@
 //! A row of the result.
 
 use crate::catalog::Function;
+use crate::report::hexadecimal;
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 
 /// How a row ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,6 +42,17 @@ pub struct Row {
     pub witness: String,
     /// How it ended.
     pub verdict: Verdict,
+    /// SHA-256 of the device's words, little-endian, in the order of the arguments: of the
+    /// exact profile the same on every device.
+    pub sha256: Option<String>,
+    /// Seconds that it took, compilation and all.
+    pub seconds: f64,
+    words: Option<Box<Sha256>>,
+}
+
+/// The words of a sum, the lowest first.
+pub(super) fn words128(sum: u128) -> [u32; 4] {
+    [0, 32, 64, 96].map(|shift| (sum >> shift) as u32)
 }
 
 impl Row {
@@ -58,6 +71,31 @@ impl Row {
             unit: "",
             witness: String::new(),
             verdict: Verdict::Failed,
+            sha256: None,
+            seconds: 0.0,
+            words: None,
+        }
+    }
+
+    /// A row of the native profile, whose errors may be up to `bound` of that unit.
+    #[must_use]
+    pub fn native(name: &str, kernel: &str, bound: f64, unit: &'static str) -> Self {
+        Self {
+            profile: "native",
+            tier: "-",
+            mismatches: None,
+            worst: Some(0.0),
+            bound: Some(bound),
+            unit,
+            ..Self::exact(name, kernel)
+        }
+    }
+
+    /// Takes words of the device into the row's hash.
+    pub fn hash(&mut self, words: &[u32]) {
+        let hash = self.words.get_or_insert_default();
+        for word in words {
+            hash.update(word.to_le_bytes());
         }
     }
 
@@ -76,17 +114,12 @@ impl Row {
     #[must_use]
     pub fn refused(function: &Function, reason: &str) -> Self {
         Self {
-            name: function.name.to_owned(),
-            kernel: function.kernel.to_owned(),
-            profile: "exact",
             tier: function.tier.letter(),
-            compared: 0,
             mismatches: None,
-            worst: None,
             bound: function.bound,
             unit: function.unit,
-            witness: String::new(),
             verdict: Verdict::Refused(reason.to_owned()),
+            ..Self::exact(function.name, function.kernel)
         }
     }
 
@@ -104,6 +137,8 @@ impl Row {
         } else {
             Verdict::Failed
         };
+        let words = self.words.take();
+        self.sha256 = words.map(|words| hexadecimal(&words.finalize()));
         self
     }
 
@@ -126,6 +161,8 @@ impl Row {
             "bound": self.bound,
             "unit": self.unit,
             "witness": self.witness,
+            "sha256": self.sha256,
+            "seconds": self.seconds,
             "verdict": verdict,
             "reason": reason,
         })

@@ -8,7 +8,7 @@ use corput::accuracy::{
     subjects,
 };
 use corput::plot::to_png;
-use corput::report::{Document, Target};
+use corput::report::{Document, Target, create_folder};
 use corput::vulkan::DeviceInfo;
 use corput::{Error, Result};
 use std::path::Path;
@@ -64,7 +64,6 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
 
 fn about(info: &DeviceInfo) -> About {
     let (major, minor, patch) = info.api_version;
-    let words = std::env::args().skip(1);
     About {
         device: format!("{} ({})", info.name, info.kind.name()),
         driver: format!(
@@ -72,10 +71,7 @@ fn about(info: &DeviceInfo) -> About {
             info.driver_name, info.driver_info
         ),
         device_uuid: info.device_uuid.clone(),
-        command: std::iter::once("corput".to_owned())
-            .chain(words)
-            .collect::<Vec<_>>()
-            .join(" "),
+        command: host::command(),
     }
 }
 
@@ -84,11 +80,7 @@ struct Report([Document; 5]);
 
 impl Report {
     fn open(folder: &Path) -> Result<Self> {
-        std::fs::create_dir_all(folder).map_err(|source| Error::Output {
-            path: folder.to_owned(),
-            problem: source.to_string(),
-            remedy: "choose a folder that can be made and written".into(),
-        })?;
+        create_folder(folder)?;
         let open =
             |ending: &str| Document::open(&Target::File(folder.join(format!("accuracy.{ending}"))));
         Ok(Self([

@@ -52,6 +52,15 @@ pub enum Command {
     Accuracy(AccuracyArgs),
     /// Draw the points of .npy files: scatter, pairs of dimensions, power spectrum.
     Plot(PlotArgs),
+    /// Write arguments and results of everything exact, for ports to test themselves with.
+    Vectors(VectorsArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct VectorsArgs {
+    /// The folder.
+    #[arg(long)]
+    pub out: PathBuf,
 }
 
 #[derive(Debug, Args)]
@@ -260,6 +269,18 @@ pub struct CheckArgs {
     /// Device by index or part of its name.
     #[arg(long)]
     pub device: Option<String>,
+    /// Begin no row after so many seconds; what is left out is counted and named.
+    #[arg(long, allow_hyphen_values = true)]
+    pub seconds: Option<f64>,
+    /// Write a report card into this folder: report.html, report.json and junit.xml.
+    #[arg(long, value_name = "DIR")]
+    pub report: Option<PathBuf>,
+    /// Write the rows as JUnit XML too.
+    #[arg(long, value_name = "FILE")]
+    pub junit: Option<PathBuf>,
+    /// Check nothing: compare the hashes of two documents that --json wrote.
+    #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["device", "seconds", "junit", "only", "report"])]
+    pub compare: Option<Vec<PathBuf>>,
     /// Only rows whose name, header or kernel contains this.
     #[arg(long)]
     pub only: Option<String>,

@@ -1,16 +1,33 @@
 //! `corput check`.
 
 use super::args::CheckArgs;
-use super::devices::probe_document;
 use super::{host, print, progress};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use corput::Error;
+use corput::card::Card;
 use corput::check::{self, Options, Outcome, Row, Verdict};
+use corput::report::{Document, Target, create_folder};
 use serde_json::json;
+use std::path::Path;
+use std::time::Duration;
 
 pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
+    if let Some([one, other]) = args.compare.as_deref() {
+        return compared(one, other, args.json);
+    }
+    let time = args.seconds.map(seconds).transpose()?;
+    let junit = args
+        .junit
+        .clone()
+        .map(|path| Document::open(&Target::File(path)));
+    let junit = junit.transpose()?;
+    if let Some(folder) = &args.report {
+        create_folder(folder)?;
+    }
     let device = host::open(args.device.as_deref())?;
     let options = Options {
         only: args.only.clone(),
+        time,
     };
     let bar = progress::rows();
     let outcome = check::run(&device, &options, &mut |row| {
@@ -19,24 +36,68 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     })?;
     bar.finish_and_clear();
     let line = host::line(device.info());
+    if let Some(junit) = junit {
+        let xml = check::junit(&outcome.rows, &outcome.left_out, &line);
+        junit.finish(xml.as_bytes())?;
+    }
+    let card = Card {
+        info: device.info(),
+        outcome: &outcome,
+        command: &host::command(),
+    };
+    if let Some(folder) = &args.report {
+        card.write(folder)?;
+    }
     if args.json {
-        let rows: Vec<_> = outcome.rows.iter().map(Row::json).collect();
-        let document = json!({
-            "version": env!("CARGO_PKG_VERSION"),
-            "device": line,
-            "device_uuid": device.info().device_uuid,
-            "probe": probe_document(&outcome.probe),
-            "failures": outcome.failures(),
-            "rows": rows,
-        });
-        print(&serde_json::to_string_pretty(&document)?);
+        print(&serde_json::to_string_pretty(&card.document()?)?);
     } else {
         print(&line);
         print(&table(&outcome).to_string());
         print(&summary(&outcome));
+        print(&format!(
+            "fingerprint of the exact rows: {}",
+            card.fingerprint()
+        ));
     }
     host::validated(device.instance())?;
     Ok(outcome.result()?)
+}
+
+/// A time that is one.
+fn seconds(asked: f64) -> corput::Result<Duration> {
+    Duration::try_from_secs_f64(asked).map_err(|error| Error::Arguments {
+        asked: format!("--seconds {asked}"),
+        limit: error.to_string(),
+        remedy: "give a number of seconds, as 30".into(),
+    })
+}
+
+fn compared(one: &Path, other: &Path, json: bool) -> anyhow::Result<()> {
+    let found = check::compare(one, other)?;
+    if json {
+        print(&serde_json::to_string_pretty(&json!({
+            "equal": found.equal,
+            "differ": found.differ,
+            "only_in_one": found.only,
+            "native_that_differ": found.native,
+        }))?);
+    } else {
+        for name in &found.differ {
+            print(&format!("differs      {name}"));
+        }
+        for name in &found.only {
+            print(&format!("only in one  {name}"));
+        }
+        print(&format!(
+            "{} exact rows have equal hashes, {} differ, {} are in one alone; {} native rows differ, as \
+             they may",
+            found.equal,
+            found.differ.len(),
+            found.only.len(),
+            found.native
+        ));
+    }
+    Ok(found.result()?)
 }
 
 fn table(outcome: &Outcome) -> Table {
@@ -102,9 +163,16 @@ fn summary(outcome: &Outcome) -> String {
         .map(|row| row.compared)
         .sum();
     let refused = count(&|row| matches!(row.verdict, Verdict::Refused(_)));
+    let left_out = match outcome.left_out.len() {
+        0 => String::new(),
+        left => format!(
+            "; no time was left for {left} more: {}",
+            outcome.left_out.join(", ")
+        ),
+    };
     format!(
         "{} of {} rows failed, {refused} refused; exact profile: {differ} of {compared} results in \
-         {exact} rows differ from the CPU's",
+         {exact} rows differ from the CPU's{left_out}",
         outcome.failures(),
         outcome.rows.len()
     )

@@ -7,6 +7,7 @@ use corput::catalog::Sampler;
 use corput::converge::{
     self, DEFAULT, Engine, Kept, Results, Row, Series, Setting, Settings, Study, standings,
 };
+use corput::report::create_folder;
 use corput::vulkan::Instance;
 use corput::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -23,7 +24,7 @@ pub fn run(args: &ConvergeArgs) -> anyhow::Result<()> {
         .as_deref()
         .map(|folder| kept(folder, args.fresh));
     let mut kept = kept.take().transpose()?;
-    let setting = Setting::new(&study, device, command());
+    let setting = Setting::new(&study, device, host::command());
     let results = measured(&engine, &study, setting, kept.as_mut())?;
     if let Some(instance) = instance {
         host::validated(&instance)?;
@@ -139,11 +140,7 @@ fn engine(args: &ConvergeArgs) -> Result<(Engine, String, Option<Arc<Instance>>)
 }
 
 fn kept(folder: &Path, fresh: bool) -> Result<Kept> {
-    std::fs::create_dir_all(folder).map_err(|source| Error::Output {
-        path: folder.to_owned(),
-        problem: source.to_string(),
-        remedy: "choose a folder that can be made and written with --report".into(),
-    })?;
+    create_folder(folder)?;
     let path = folder.join(UNFINISHED);
     if fresh && path.exists() {
         std::fs::remove_file(&path).map_err(|source| Error::Io {
@@ -174,22 +171,6 @@ fn measured(
         (Error::Interrupted { done, total }, Some(path)) => Error::Paused { done, total, path },
         (error, _) => error,
     })
-}
-
-/// The command as a shell takes it.
-fn command() -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_=+.,:/@%".contains(c);
-    let quoted = |word: String| match word.chars().all(plain) && !word.is_empty() {
-        true => word,
-        false => format!("'{}'", word.replace('\'', "'\\''")),
-    };
-    let words = std::env::args_os()
-        .skip(1)
-        .map(|word| quoted(word.to_string_lossy().into_owned()));
-    std::iter::once("corput".to_owned())
-        .chain(words)
-        .collect::<Vec<_>>()
-        .join(" ")
 }
 
 fn warnings(results: &Results) -> Vec<String> {

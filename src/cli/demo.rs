@@ -5,6 +5,7 @@ use super::{host, interrupt, print, progress};
 use comfy_table::{CellAlignment, Table, presets};
 use corput::demo::{self, Demo};
 use corput::image::{Image, load_exr};
+use corput::report::create_folder;
 use corput::{Error, vulkan::Device};
 use std::sync::Arc;
 
@@ -12,11 +13,7 @@ pub fn run(args: &DemoArgs) -> anyhow::Result<()> {
     let device = host::open(args.device.as_deref())?;
     let image = load_exr(&args.env)?;
     fits(&device, &image, args)?;
-    std::fs::create_dir_all(&args.out).map_err(|source| Error::Output {
-        path: args.out.clone(),
-        problem: source.to_string(),
-        remedy: "choose a folder that can be made and written with --out".into(),
-    })?;
+    create_folder(&args.out)?;
     print(&host::line(device.info()));
     interrupt::clean_up();
     let bar = progress::steps();

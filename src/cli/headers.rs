@@ -2,21 +2,14 @@
 
 use super::args::HeadersArgs;
 use super::print;
-use corput::Error;
-use corput::report::save;
-use std::path::Path;
+use corput::report::{create_folder, save};
 
 pub fn run(args: &HeadersArgs) -> anyhow::Result<()> {
-    let refused = |path: &Path, source: std::io::Error| Error::Output {
-        path: path.to_owned(),
-        problem: source.to_string(),
-        remedy: "choose a folder that can be made and written".into(),
-    };
     let headers = corput::headers();
     for (name, text) in headers {
         let path = args.out.join(name);
         if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).map_err(|source| refused(folder, source))?;
+            create_folder(folder)?;
         }
         save(&path, text.as_bytes())?;
     }

@@ -66,3 +66,19 @@ pub fn line(info: &DeviceInfo) -> String {
         info.driver_info
     )
 }
+
+/// The command as a shell takes it.
+pub fn command() -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_=+.,:/@%".contains(c);
+    let quoted = |word: String| match word.chars().all(plain) && !word.is_empty() {
+        true => word,
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    };
+    let words = std::env::args_os()
+        .skip(1)
+        .map(|word| quoted(word.to_string_lossy().into_owned()));
+    std::iter::once("corput".to_owned())
+        .chain(words)
+        .collect::<Vec<_>>()
+        .join(" ")
+}

@@ -22,6 +22,7 @@ mod pixels;
 mod plot;
 mod points;
 mod progress;
+mod vectors;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -49,6 +50,7 @@ pub fn main() -> ExitCode {
         Command::Bench(args) => bench::run(args),
         Command::Accuracy(args) => accuracy::run(args),
         Command::Plot(args) => plot::run(args),
+        Command::Vectors(args) => vectors::run(args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

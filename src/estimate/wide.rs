@@ -13,6 +13,12 @@ impl U256 {
         Self(parts)
     }
 
+    /// Its parts, the lowest first.
+    #[must_use]
+    pub fn parts(self) -> [u64; 4] {
+        self.0
+    }
+
     /// A smaller integer.
     #[must_use]
     pub fn from_u128(x: u128) -> Self {

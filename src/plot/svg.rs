@@ -3,6 +3,7 @@
 mod described;
 
 use crate::plot::square::Square;
+use crate::report::escape;
 use std::fmt::Write;
 
 /// Axes and text.
@@ -272,20 +273,4 @@ fn ramp(shade: f64) -> String {
     let part = place - from as f64;
     let mix = |i: usize| (STOPS[from][i] + part * (STOPS[from + 1][i] - STOPS[from][i])) as u8;
     format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
-}
-
-/// Text for XML, without the characters that XML cannot hold.
-pub fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '\u{fffe}' | '\u{ffff}' => {}
-            c if c.is_control() => escaped.push(' '),
-            c => escaped.push(c),
-        }
-    }
-    escaped
 }

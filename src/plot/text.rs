@@ -10,7 +10,7 @@ pub fn width(text: &str, size: f64) -> f64 {
     let svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1\" height=\"1\">\
          <text font-size=\"{LARGE}\">{}</text></svg>",
-        super::svg::escape(text)
+        crate::report::escape(text)
     );
     let tree = Tree::from_str(&svg, &options());
     let measured = tree.ok().and_then(|tree| {

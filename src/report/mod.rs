@@ -21,16 +21,18 @@
 //! ```
 
 mod encode;
+mod escape;
 mod format;
 mod place;
 mod read;
 mod sink;
 
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
+pub use escape::escape;
 pub use format::Format;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};
-pub use sink::{Sink, Summary};
+pub use sink::{Sink, Summary, hexadecimal};
 
 use crate::error::{Error, Result};
 use place::{Place, failed};
@@ -45,6 +47,19 @@ use std::path::PathBuf;
 /// [`Error::Output`] if it cannot be created, [`Error::Io`] if it cannot be written.
 pub fn save(path: &Path, bytes: &[u8]) -> Result<()> {
     Document::open(&Target::File(path.to_owned()))?.finish(bytes)
+}
+
+/// Makes a folder and those above it, as far as they are not there.
+///
+/// # Errors
+///
+/// [`Error::Output`] if it cannot be made.
+pub fn create_folder(path: &Path) -> Result<()> {
+    std::fs::create_dir_all(path).map_err(|source| Error::Output {
+        path: path.to_owned(),
+        problem: source.to_string(),
+        remedy: "choose a folder that can be made and written".into(),
+    })
 }
 
 /// As [`save`], for bytes that take time to make: a path that cannot be written is

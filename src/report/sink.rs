@@ -227,6 +227,8 @@ fn describe(layout: &Layout, arguments: Value, summary: &Summary) -> Vec<u8> {
     format!("{sidecar:#}\n").into_bytes()
 }
 
-fn hexadecimal(bytes: &[u8]) -> String {
+/// Bytes as lower-case digits, as `sha256sum` prints a hash.
+#[must_use]
+pub fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }

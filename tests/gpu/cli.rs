@@ -4,6 +4,8 @@
 mod accuracy;
 #[path = "cli/blue_noise.rs"]
 mod blue_noise;
+#[path = "cli/check.rs"]
+mod check;
 #[path = "cli/commands.rs"]
 mod commands;
 #[path = "cli/converge.rs"]
@@ -39,6 +41,8 @@ mod running;
 mod same;
 #[path = "cli/sequences.rs"]
 mod sequences;
+#[path = "cli/vectors.rs"]
+mod vectors;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,12 +1,8 @@
 //! Names, numbers and markup of the page.
 
 use crate::converge::{Interval, Series};
-use crate::plot::{self, Measured, duration};
-
-/// Text as HTML shows it, in an element or in quotes.
-pub fn escape(text: &str) -> String {
-    plot::escape(text).replace('"', "&quot;")
-}
+use crate::plot::{Measured, duration};
+pub use crate::report::escape;
 
 /// A number of three digits, as commands take it.
 pub fn number(value: f64) -> String {

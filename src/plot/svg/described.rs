@@ -3,7 +3,8 @@
 //! A group's class tells a style sheet what the shapes in it are; without one they have the
 //! colours of their attributes, which a style sheet overrules.
 
-use super::{Canvas, escape};
+use super::Canvas;
+use crate::report::escape;
 use std::fmt::Write;
 
 // Writing to a String cannot fail, so the results of `write!` are dropped.

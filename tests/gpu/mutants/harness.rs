@@ -84,7 +84,7 @@ pub enum Outcome {
     /// The linter's words.
     Refused(String),
     /// It ran.
-    Ran(Row),
+    Ran(Box<Row>),
 }
 
 /// Compiles the target's kernel with an edit and runs it as `corput check` does.
@@ -151,7 +151,7 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
             })
         }
     };
-    Outcome::Ran(ran.unwrap_or_else(|error| panic!("{error}")))
+    Outcome::Ran(Box::new(ran.unwrap_or_else(|error| panic!("{error}"))))
 }
 
 /// The row of the kernel that a target runs.

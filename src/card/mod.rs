@@ -1,0 +1,150 @@
+//! The report card of a driver: who it is, what it does with floats, which kernels ran and how
+//! every row ended, and what that does not prove. As a document for machines and as a page.
+
+mod device;
+mod page;
+
+pub use device::{device_document, probe_document};
+
+use crate::check::{Outcome, Row, junit};
+use crate::interface::{KERNELS, Profile};
+use crate::kernels::spirv;
+use crate::report::{create_folder, hexadecimal, save};
+use crate::spirv::{self as modules, Tier};
+use crate::vulkan::DeviceInfo;
+use crate::{Error, Result};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+
+/// Version of the document's form.
+pub const SCHEMA: &str = "corput-card/1";
+
+/// A check of a device.
+#[derive(Clone, Copy, Debug)]
+pub struct Card<'a> {
+    /// The device.
+    pub info: &'a DeviceInfo,
+    /// What the check found.
+    pub outcome: &'a Outcome,
+    /// The command that ran it.
+    pub command: &'a str,
+}
+
+impl Card<'_> {
+    /// The document: identity, kernels with their hashes, probe, rows, what was not proved.
+    ///
+    /// # Errors
+    /// None, if the stock kernels are as built.
+    pub fn document(&self) -> Result<Value> {
+        let rows: Vec<Value> = self.outcome.rows.iter().map(Row::json).collect();
+        Ok(json!({
+            "schema": SCHEMA,
+            "corput": env!("CARGO_PKG_VERSION"),
+            "command": self.command,
+            "host": format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
+            "device": device_document(self.info),
+            "probe": probe_document(&self.outcome.probe),
+            "kernels": kernels()?,
+            "fingerprint": self.fingerprint(),
+            "failures": self.outcome.failures(),
+            "left_out": self.outcome.left_out,
+            "not_proved": self.not_proved(),
+            "rows": rows,
+        }))
+    }
+
+    /// SHA-256 over names, kernels and hashes of the exact rows, one a line: equal for two
+    /// drivers that ran the same rows with the same bits.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let mut hash = Sha256::new();
+        for row in self
+            .outcome
+            .rows
+            .iter()
+            .filter(|row| row.profile == "exact")
+        {
+            let words = row.sha256.as_deref().unwrap_or("-");
+            hash.update(format!("{}\t{}\t{words}\n", row.name, row.kernel));
+        }
+        hexadecimal(&hash.finalize())
+    }
+
+    /// What a reader might take for proved.
+    #[must_use]
+    pub fn not_proved(&self) -> Vec<String> {
+        let mut list: Vec<String> = NOT_PROVED.iter().map(ToString::to_string).collect();
+        if !self.outcome.probe.tier_f() {
+            list.push("Tier F: the probe does not find rounding to nearest even here.".into());
+        }
+        match self.outcome.left_out.len() {
+            0 => {}
+            left => list.push(format!("{left} rows, for which there was no time.")),
+        }
+        list
+    }
+
+    /// Writes `report.json`, `report.html` and `junit.xml` into a folder, which is made; gives
+    /// the files, each of which is replaced whole.
+    ///
+    /// # Errors
+    /// [`Error::Output`] and [`Error::Io`] for what cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>> {
+        create_folder(folder)?;
+        let document = self.document()?;
+        let name = &self.info.name;
+        let files = [
+            ("report.json", format!("{document:#}\n")),
+            ("report.html", page::page(self, &document)),
+            (
+                "junit.xml",
+                junit(&self.outcome.rows, &self.outcome.left_out, name),
+            ),
+        ];
+        let mut written = Vec::new();
+        for (name, text) in files {
+            let path = folder.join(name);
+            save(&path, text.as_bytes())?;
+            written.push(path);
+        }
+        Ok(written)
+    }
+}
+
+const NOT_PROVED: &[&str] = &[
+    "All arguments: functions were compared on critical ones and on random ones, which the rows count.",
+    "The native profile's bits: only its errors are held to Vulkan's precision tables.",
+    "Other versions of this driver, other compilers of GLSL, and other uses of the headers.",
+];
+
+/// Each stock kernel: the hash of its SPIR-V, its profile, and what the linter says.
+fn kernels() -> Result<Vec<Value>> {
+    KERNELS.iter().map(kernel).collect()
+}
+
+fn kernel(kernel: &crate::interface::Kernel) -> Result<Value> {
+    let words = spirv(kernel.name)?;
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let exact = matches!(kernel.profile, Profile::Integer | Profile::Float);
+    let policy = match exact {
+        true => modules::exact_policy(),
+        false => modules::native_policy(),
+    };
+    let report = modules::lint(&words, &policy).map_err(|error| Error::Shader {
+        shader: kernel.name.to_owned(),
+        problem: error.to_string(),
+    })?;
+    let tier = match report.tier {
+        _ if !exact => "native",
+        Some(Tier::Integer) => "I",
+        Some(Tier::Float) => "F",
+        None => "none",
+    };
+    Ok(json!({
+        "name": kernel.name,
+        "sha256": hexadecimal(&Sha256::digest(&bytes)),
+        "tier": tier,
+        "violations": report.violations.iter().map(ToString::to_string).collect::<Vec<_>>(),
+    }))
+}

@@ -1,0 +1,268 @@
+//! The report card as one HTML file: no script, no request, light or dark as the reader's
+//! system is.
+
+use super::Card;
+use crate::check::{Row, Verdict};
+use crate::report::escape;
+use serde_json::Value;
+use std::fmt::Write;
+
+const STYLE: &str = include_str!("page.css");
+
+/// The page of a card, whose document the caller has made.
+#[must_use]
+pub fn page(card: &Card, document: &Value) -> String {
+    let title = escape(&format!("{}: report card", card.info.name));
+    let parts = [
+        summary(card),
+        identity(card, document),
+        probe(document),
+        both(&card.outcome.rows),
+        not_proved(card),
+        rows(&card.outcome.rows),
+        kernels(document),
+    ];
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
+         style-src 'unsafe-inline'; img-src data:\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n\
+         <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n\
+         </head>\n<body>\n<main>\n<h1>{title}</h1>\n{}</main>\n</body>\n</html>\n",
+        parts.concat()
+    )
+}
+
+/// What a reader wants first.
+fn summary(card: &Card) -> String {
+    let rows = &card.outcome.rows;
+    let exact = || rows.iter().filter(|row| row.profile == "exact");
+    let compared: u64 = exact().map(|row| row.compared).sum();
+    let differ: u64 = exact().filter_map(|row| row.mismatches).sum();
+    let native = rows.iter().filter(|row| row.profile == "native").count();
+    let failures = card.outcome.failures();
+    let class = if failures == 0 { "passed" } else { "failed" };
+    let verdict = match failures {
+        0 => "Every row passed".to_owned(),
+        1 => "1 row failed".to_owned(),
+        many => format!("{many} rows failed"),
+    };
+    format!(
+        "<p class=\"{class}\">{verdict}: {differ} of {compared} results of the exact profile, in {} rows, \
+         differ from the CPU's; {native} rows of the native profile were held to Vulkan's precision \
+         tables.</p>\n<dl><dt>fingerprint of the exact rows</dt><dd><code>{}</code></dd></dl>\n\
+         <p>Two drivers with the same fingerprint gave the same bits in every row.</p>\n",
+        exact().count(),
+        card.fingerprint()
+    )
+}
+
+fn identity(card: &Card, document: &Value) -> String {
+    let info = card.info;
+    let (major, minor, patch) = info.api_version;
+    let driver = format!("{} {}", info.driver_name, info.driver_info);
+    let vulkan = format!("{major}.{minor}.{patch}");
+    let host = text(document, "host");
+    facts(
+        "Identity",
+        &[
+            ("device", &info.name),
+            ("kind", info.kind.name()),
+            ("driver", &driver),
+            ("Vulkan", &vulkan),
+            ("device UUID", &info.device_uuid),
+            ("driver UUID", &info.driver_uuid),
+            ("host", &host),
+            ("corput", env!("CARGO_PKG_VERSION")),
+            ("command", card.command),
+        ],
+    )
+}
+
+fn probe(document: &Value) -> String {
+    let float_controls = document.pointer("/device/float_controls_32");
+    let mut list: Vec<(String, String)> = Vec::new();
+    for (what, object) in [
+        ("", document.get("probe")),
+        ("may be asked for: ", float_controls),
+    ] {
+        for (key, value) in object.and_then(Value::as_object).into_iter().flatten() {
+            let value = value
+                .as_str()
+                .map_or_else(|| value.to_string(), str::to_owned);
+            list.push((format!("{what}{}", key.replace('_', " ")), value));
+        }
+    }
+    let list: Vec<(&str, &str)> = list.iter().map(|(a, b)| (a.as_str(), b.as_str())).collect();
+    facts("What it does with floats", &list)
+}
+
+/// Exact and native of the same function, side by side.
+fn both(rows: &[Row]) -> String {
+    let mut lines = String::new();
+    for native in rows.iter().filter(|row| row.profile == "native") {
+        let name = native
+            .name
+            .trim_start_matches("native")
+            .trim_start_matches(['_', ' ']);
+        let Some(exact) = rows
+            .iter()
+            .find(|row| row.profile == "exact" && row.name == name)
+        else {
+            continue;
+        };
+        let _ = writeln!(
+            lines,
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}</tr>",
+            escape(name),
+            exact.compared,
+            exact.mismatches.unwrap_or(0),
+            bounded(exact),
+            native.compared,
+            bounded(native),
+            verdict(native)
+        );
+    }
+    table(
+        "Exact and native",
+        "Errors, and what is allowed: of the exact profile by its own bound, of the native one by Vulkan's \
+         precision tables.",
+        &[
+            "function",
+            "exact: compared",
+            "differ",
+            "error",
+            "native: compared",
+            "error",
+            "verdict",
+        ],
+        &lines,
+    )
+}
+
+fn not_proved(card: &Card) -> String {
+    let list: String = card
+        .not_proved()
+        .iter()
+        .map(|line| format!("<li>{}</li>\n", escape(line)))
+        .collect();
+    format!("<h2>Not proved</h2>\n<ul>\n{list}</ul>\n")
+}
+
+fn rows(rows: &[Row]) -> String {
+    let mut lines = String::new();
+    for row in rows {
+        let _ = writeln!(
+            lines,
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}\
+             <td><code>{}</code></td></tr>",
+            escape(&row.name),
+            escape(&row.kernel),
+            row.tier,
+            row.compared,
+            row.mismatches
+                .map_or("may".to_owned(), |count| count.to_string()),
+            bounded(row),
+            verdict(row),
+            row.sha256
+                .as_deref()
+                .map_or("", |hash| &hash[..hash.len().min(16)])
+        );
+    }
+    table(
+        "Every row",
+        "The first 16 digits of the SHA-256 of what the device gave; report.json has all.",
+        &[
+            "what", "kernel", "tier", "compared", "differ", "error", "verdict", "SHA-256",
+        ],
+        &lines,
+    )
+}
+
+fn kernels(document: &Value) -> String {
+    let mut lines = String::new();
+    for kernel in document
+        .get("kernels")
+        .and_then(Value::as_array)
+        .into_iter()
+        .flatten()
+    {
+        let violations = kernel
+            .get("violations")
+            .and_then(Value::as_array)
+            .map_or(0, Vec::len);
+        let _ = writeln!(
+            lines,
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{violations}</td><td><code>{}</code></td></tr>",
+            escape(&text(kernel, "name")),
+            text(kernel, "tier"),
+            text(kernel, "sha256")
+        );
+    }
+    table(
+        "Kernels",
+        "SPIR-V as it is shipped, and what the linter says of it.",
+        &["kernel", "tier", "violations", "SHA-256"],
+        &lines,
+    )
+}
+
+/// Error and bound in one.
+fn bounded(row: &Row) -> String {
+    match (row.worst, row.bound) {
+        (Some(worst), Some(bound)) => {
+            format!(
+                "{} of {} {}",
+                number(worst),
+                number(bound),
+                row.unit.trim_start_matches("of ")
+            )
+        }
+        _ => String::new(),
+    }
+}
+
+fn number(value: f64) -> String {
+    match value {
+        0.0 => "0".to_owned(),
+        v if (1e-2..1e4).contains(&v) => format!("{v:.3}"),
+        v => format!("{v:.2e}"),
+    }
+}
+
+fn verdict(row: &Row) -> String {
+    match &row.verdict {
+        Verdict::Passed => "<td>passed</td>".to_owned(),
+        Verdict::Failed => format!("<td class=\"failed\">failed: {}</td>", escape(&row.witness)),
+        Verdict::Refused(reason) => format!("<td>refused: {}</td>", escape(reason)),
+    }
+}
+
+fn text(object: &Value, key: &str) -> String {
+    object
+        .get(key)
+        .and_then(Value::as_str)
+        .unwrap_or("")
+        .to_owned()
+}
+
+fn facts(title: &str, list: &[(&str, &str)]) -> String {
+    let lines: String = list
+        .iter()
+        .map(|(name, value)| format!("<dt>{}</dt><dd>{}</dd>\n", escape(name), escape(value)))
+        .collect();
+    format!("<h2>{title}</h2>\n<dl>\n{lines}</dl>\n")
+}
+
+fn table(title: &str, caption: &str, head: &[&str], lines: &str) -> String {
+    let head: String = head
+        .iter()
+        .map(|name| format!("<th scope=\"col\">{name}</th>"))
+        .collect();
+    format!(
+        "<h2>{title}</h2>\n<div class=\"scroll\" role=\"region\" aria-label=\"{title}\" tabindex=\"0\">\n\
+         <table>\n<caption>{caption}</caption>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{lines}</tbody>\n\
+         </table>\n</div>\n"
+    )
+}

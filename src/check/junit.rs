@@ -1,0 +1,64 @@
+//! A check as JUnit XML, which services of continuous integration show.
+
+use super::{Row, Verdict};
+use crate::report::escape;
+use std::fmt::Write;
+
+/// One test suite, whose cases are the rows: failures with their witness, refused rows and
+/// those that there was no time for as skipped.
+#[must_use]
+pub fn junit(rows: &[Row], left_out: &[String], device: &str) -> String {
+    let skipped = rows.iter().filter(|row| refused(row)).count() + left_out.len();
+    let seconds: f64 = rows.iter().map(|row| row.seconds).sum();
+    let mut xml = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"corput check, {}\" \
+         tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{skipped}\" time=\"{seconds:.3}\">\n",
+        escape(device),
+        rows.len() + left_out.len(),
+        rows.iter()
+            .filter(|row| row.verdict == Verdict::Failed)
+            .count(),
+    );
+    for row in rows {
+        // Writing to a String cannot fail, here and below.
+        let _ = writeln!(xml, "{}", case(row));
+    }
+    for name in left_out {
+        let _ = writeln!(
+            xml,
+            "<testcase classname=\"left out\" name=\"{}\"><skipped message=\"no time was left\"/></testcase>",
+            escape(name)
+        );
+    }
+    xml + "</testsuite>\n</testsuites>\n"
+}
+
+fn refused(row: &Row) -> bool {
+    matches!(row.verdict, Verdict::Refused(_))
+}
+
+fn case(row: &Row) -> String {
+    let head = format!(
+        "<testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3}\">",
+        row.profile,
+        escape(&row.kernel),
+        escape(&row.name),
+        row.seconds
+    );
+    let body = match &row.verdict {
+        Verdict::Passed => String::new(),
+        Verdict::Refused(reason) => format!("<skipped message=\"{}\"/>", escape(reason)),
+        Verdict::Failed => {
+            let differ = row.mismatches.unwrap_or(0);
+            let number = |value: Option<f64>| value.map_or("-".to_owned(), |x| format!("{x:e}"));
+            format!(
+                "<failure message=\"{differ} of {} differ; worst error {}, bound {}\">{}</failure>",
+                row.compared,
+                number(row.worst),
+                number(row.bound),
+                escape(&row.witness)
+            )
+        }
+    };
+    format!("{head}{body}</testcase>")
+}

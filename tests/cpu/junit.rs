@@ -1,0 +1,26 @@
+//! A check as JUnit XML: failures, refusals, and what XML cannot hold.
+
+use corput::check::{Row, Verdict, junit};
+
+#[test]
+fn every_end_of_a_row_is_told() {
+    let mut passed = Row::exact("passed", "evaluate");
+    passed.count(true, String::new);
+    let mut failed = Row::exact("failed <\"&>", "evaluate");
+    failed.count(false, || "0: 1, not \"2\" <\u{1}".to_owned());
+    let mut refused = Row::exact("refused", "evaluate_frame");
+    refused.verdict = Verdict::Refused("no & promise".into());
+    let rows = [passed.judged(), failed.judged(), refused];
+    let xml = junit(&rows, &["later".to_owned()], "a \"device\"");
+    for part in [
+        "tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"2\"",
+        "a &quot;device&quot;",
+        "<testcase classname=\"exact.evaluate\" name=\"passed\" time=\"0.000\"></testcase>",
+        "name=\"failed &lt;&quot;&amp;&gt;\"",
+        "<failure message=\"1 of 1 differ; worst error -, bound -\">0: 1, not &quot;2&quot; &lt; </failure>",
+        "<skipped message=\"no &amp; promise\"/>",
+        "<testcase classname=\"left out\" name=\"later\"><skipped message=\"no time was left\"/></testcase>",
+    ] {
+        assert!(xml.contains(part), "{part} is not in\n{xml}");
+    }
+}

@@ -1,0 +1,114 @@
+//! `corput check` for continuous integration: hashes, time limits, JUnit.
+
+use super::{Desk, skips};
+use corput::card::SCHEMA;
+use serde_json::Value;
+
+fn document(desk: &Desk, line: &str) -> Value {
+    serde_json::from_str(&desk.say(line)).unwrap()
+}
+
+#[test]
+fn documents_are_compared_by_their_hashes() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let mut one = document(&desk, "check --only radical_inverse --json");
+    let rows = one["rows"].as_array().unwrap();
+    assert!(
+        rows.iter()
+            .all(|row| row["sha256"].as_str().is_some_and(|hash| hash.len() == 64))
+    );
+    let count = rows.len();
+    std::fs::write(desk.path("a.json"), one.to_string()).unwrap();
+    let again = document(&desk, "check --only radical_inverse --json");
+    std::fs::write(desk.path("b.json"), again.to_string()).unwrap();
+    let said = document(&desk, "check --compare a.json b.json --json");
+    assert_eq!(said["equal"], count);
+    // One word of one result is another hash.
+    one["rows"][0]["sha256"] = "0".repeat(64).into();
+    std::fs::write(desk.path("c.json"), one.to_string()).unwrap();
+    let run = desk.run("check --compare a.json c.json");
+    run.expect(1, &["1 of"]);
+    let text = String::from_utf8(run.stdout).unwrap();
+    assert!(text.contains("differs      radical_inverse"), "{text}");
+    // A row that is not there is not equal.
+    one["rows"].as_array_mut().unwrap().clear();
+    std::fs::write(desk.path("c.json"), one.to_string()).unwrap();
+    desk.run("check --compare a.json c.json").expect(1, &[]);
+    std::fs::write(desk.path("c.json"), "{}").unwrap();
+    desk.run("check --compare a.json c.json")
+        .expect(2, &["c.json", "no rows"]);
+    desk.run("check --compare a.json none.json")
+        .expect(2, &["none.json"]);
+}
+
+#[test]
+fn a_short_time_leaves_rows_out_and_says_so() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let said = document(&desk, "check --seconds 2 --json --junit j.xml");
+    let (rows, left) = (&said["rows"], &said["left_out"]);
+    let (rows, left) = (
+        rows.as_array().unwrap().len(),
+        left.as_array().unwrap().len(),
+    );
+    assert!(rows > 0 && left > 100, "{rows} {left}");
+    let xml = String::from_utf8(desk.bytes("j.xml")).unwrap();
+    assert_eq!(xml.matches("<testcase ").count(), rows + left);
+    assert_eq!(xml.matches("<skipped ").count(), left);
+    assert!(
+        xml.contains(&format!("tests=\"{}\" failures=\"0\"", rows + left)),
+        "{xml}"
+    );
+    desk.run("check --seconds 0")
+        .expect(2, &["--seconds 0", "no row began"]);
+    desk.run("check --seconds -3").expect(2, &["-3"]);
+    desk.run("check --seconds x").expect(2, &["x"]);
+}
+
+#[test]
+fn a_card_says_who_what_and_what_not() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let line = "check --only uniform_hemisphere --report card --json";
+    let said = document(&desk, line);
+    let kept: Value = serde_json::from_slice(&desk.bytes("card/report.json")).unwrap();
+    assert_eq!(said, kept);
+    assert_eq!(said["schema"], SCHEMA);
+    assert_eq!(said["command"], format!("corput {line}"));
+    assert_eq!(said["fingerprint"].as_str().map(str::len), Some(64));
+    let kernels = said["kernels"].as_array().unwrap();
+    assert!(kernels.len() > 50);
+    assert!(
+        kernels
+            .iter()
+            .all(|one| one["violations"] == Value::Array(Vec::new()))
+    );
+    assert!(!said["not_proved"].as_array().unwrap().is_empty());
+    let page = String::from_utf8(desk.bytes("card/report.html")).unwrap();
+    for part in [
+        said["fingerprint"].as_str().unwrap(),
+        "Not proved",
+        "uniform_hemisphere",
+        "Every row passed",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    for part in ["<script", "http:", "https:"] {
+        assert!(!page.contains(part), "{part}");
+    }
+    assert!(desk.bytes("card/junit.xml").starts_with(b"<?xml"));
+}
+
+#[test]
+fn a_report_that_cannot_be_written_is_refused_before_work() {
+    let desk = Desk::new();
+    desk.run("check --junit none/j.xml")
+        .expect(2, &["none/j.xml"]);
+}
