@@ -28,6 +28,7 @@ mod tasks;
 mod transcendental;
 
 pub use blue_noise::compare_mask;
+pub use cases::cases;
 pub use compare::{Comparison, compare};
 pub use estimates::{compare_estimates, judged_range};
 pub use functions::{compare_function, function_words};

@@ -43,6 +43,8 @@ mod same;
 mod sequences;
 #[path = "cli/vectors.rs"]
 mod vectors;
+#[path = "cli/widths.rs"]
+mod widths;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -328,7 +328,10 @@ fn no_size_of_a_group_shows() {
             let request = points(&problem, Some(Scramble::OwenHash), 77, COUNT);
             let expected = bulk::estimate(&problem, &request, 0, COUNT).expect("sums");
             let id = problem.id();
-            for size in [1, 32, 64, 128] {
+            let limits = device.info().limits;
+            let largest = limits.max_group_invocations.min(limits.max_group_size[0]);
+            let sizes = [1, 32, 64, 96, 128, 256, 512, largest];
+            for size in sizes.into_iter().filter(|&size| size <= largest) {
                 let plan = match general {
                     true => general_estimate(&request.columns, id),
                     false => plan_estimate(&request.columns, id, true),

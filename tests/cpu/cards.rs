@@ -1,0 +1,168 @@
+//! The committed report cards: of the rows that there are, with the reference's hashes; and
+//! the README's table, which is made of them.
+
+use corput::bulk::Reference;
+use corput::card::SCHEMA;
+use corput::catalog::FUNCTIONS;
+use corput::check::{Row, arguments, cases, compare_points, function_words};
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// The drivers in the README's order.
+const DRIVERS: [&str; 2] = ["llvmpipe", "swiftshader"];
+
+const AGAIN: &str = "run scripts/cards";
+
+fn path(name: &str) -> String {
+    format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn card(driver: &str) -> Value {
+    let text = std::fs::read_to_string(path(&format!("docs/cards/{driver}.json")));
+    serde_json::from_str(&text.expect("it is there")).expect("it is JSON")
+}
+
+/// Hashes of the exact rows by name and kernel.
+fn hashes(card: &Value) -> BTreeMap<(String, String), String> {
+    let rows = card["rows"].as_array().expect("rows");
+    let text = |row: &Value, key: &str| row[key].as_str().unwrap_or("").to_owned();
+    rows.iter()
+        .filter(|row| row["profile"] == "exact")
+        .map(|row| {
+            (
+                (text(row, "name"), text(row, "kernel")),
+                text(row, "sha256"),
+            )
+        })
+        .collect()
+}
+
+#[test]
+fn both_drivers_gave_the_same_bits() {
+    let cards = DRIVERS.map(card);
+    for card in &cards {
+        assert_eq!(card["schema"], SCHEMA);
+        assert_eq!(card["failures"], 0);
+        assert_eq!(card["left_out"], Value::Array(Vec::new()));
+        assert_eq!(
+            card["command"]
+                .as_str()
+                .map(|line| line.starts_with("corput check")),
+            Some(true)
+        );
+    }
+    let [one, other] = &cards;
+    assert_eq!(one["fingerprint"], other["fingerprint"]);
+    let [one, other] = [hashes(one), hashes(other)];
+    assert!(one.len() > 500, "{}", one.len());
+    assert_eq!(one, other);
+    assert!(one.values().all(|hash| hash.len() == 64));
+}
+
+/// Functions and points: what the drivers gave is what the reference gives today.
+#[test]
+fn the_hashes_are_the_reference_s() {
+    let hashes = hashes(&card(DRIVERS[0]));
+    let of = |name: &str, kernel: &str| {
+        let found = hashes.get(&(name.to_owned(), kernel.to_owned()));
+        found.unwrap_or_else(|| panic!("no row {name} ({kernel}): {AGAIN}"))
+    };
+    for function in FUNCTIONS {
+        let mut row = Row::exact(function.name, function.kernel);
+        for call in arguments(function.kind) {
+            row.hash(&function_words(function.name, call));
+        }
+        let expected = row.judged().sha256.expect("a hash");
+        assert_eq!(
+            *of(function.name, function.kernel),
+            expected,
+            "{}: {AGAIN}",
+            function.name
+        );
+    }
+    for case in cases().expect("the catalogue is right") {
+        let reference = Reference::new(&case.request);
+        let width = case.request.words_per_point() as usize;
+        let row = compare_points(&case, |start, points| {
+            let mut words = vec![0; points as usize * width];
+            reference.fill(start, &mut words);
+            Ok(words)
+        });
+        let expected = row.expect("points").sha256.expect("a hash");
+        assert_eq!(
+            *of(&case.name, case.kernel),
+            expected,
+            "{}: {AGAIN}",
+            case.name
+        );
+    }
+}
+
+const BEGIN: &str = "<!-- made of docs/cards by scripts/cards -->\n";
+const END: &str = "<!-- end -->\n";
+
+/// `CORPUT_WRITE_TABLES=1 cargo test --all-features --test cards` writes it.
+#[test]
+fn the_readme_has_their_figures() {
+    let mut table = "| driver | exact rows | results compared | that differ from the CPU's | native rows in Vulkan's bounds | hash of all exact rows |\n|---|---|---|---|---|---|\n".to_owned();
+    for driver in DRIVERS {
+        let card = card(driver);
+        let rows = card["rows"].as_array().expect("rows");
+        let sum = |key: &str| -> u64 {
+            let exact = rows.iter().filter(|row| row["profile"] == "exact");
+            exact.map(|row| row[key].as_u64().unwrap_or(0)).sum()
+        };
+        let native: Vec<_> = rows
+            .iter()
+            .filter(|row| row["profile"] == "native")
+            .collect();
+        let kept = native
+            .iter()
+            .filter(|row| row["verdict"] == "passed")
+            .count();
+        let driver = &card["device"]["driver"];
+        table += &format!(
+            "| [{} {}](docs/cards/{}.html) | {} | {} | {} | {kept} of {} | `{}` |\n",
+            card["device"]["name"].as_str().expect("a name"),
+            driver["info"].as_str().expect("its version"),
+            if card["device"]["name"]
+                .as_str()
+                .is_some_and(|name| name.contains("llvmpipe"))
+            {
+                DRIVERS[0]
+            } else {
+                DRIVERS[1]
+            },
+            rows.len() - native.len(),
+            grouped(sum("compared")),
+            sum("mismatches"),
+            native.len(),
+            &card["fingerprint"].as_str().expect("a fingerprint")[..16],
+        );
+    }
+    let readme = std::fs::read_to_string(path("README.md")).expect("it is there");
+    let (before, rest) = readme.split_once(BEGIN).expect("the table's beginning");
+    let (found, after) = rest.split_once(END).expect("the table's end");
+    if std::env::var_os("CORPUT_WRITE_TABLES").is_some() {
+        std::fs::write(
+            path("README.md"),
+            format!("{before}{BEGIN}\n{table}\n{END}{after}"),
+        )
+        .expect("it is written");
+    } else {
+        assert_eq!(found.trim(), table.trim(), "{AGAIN}");
+    }
+}
+
+/// 1234567 as 1,234,567.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place) % 3 == 0 {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
