@@ -126,7 +126,7 @@ pub enum Error {
         remedy: String,
     },
     /// A name that is not in a list.
-    #[error("unknown {kind} `{name}`{}; known: {known}", nearest.as_ref().map_or(String::new(), |n| format!(", did you mean `{n}`?")))]
+    #[error("unknown {kind} `{name}`{}; known: {known}{}", nearest.as_ref().map_or(String::new(), |n| format!(", did you mean `{n}`?")), list(kind))]
     UnknownName {
         /// What kind of name: sequence, map, format.
         kind: &'static str,
@@ -274,6 +274,24 @@ pub enum Error {
         /// Checks that ran.
         total: usize,
     },
+    /// A sum of a study that is not the CPU's, or not what it was before.
+    #[error(
+        "{what}: two sums of the same points differ, so that no time is worth anything: run `corput check --only estimate`"
+    )]
+    Unequal {
+        /// Integrand, sampler and number of points.
+        what: String,
+    },
+    /// Report cards that differ.
+    #[error(
+        "{differ} exact rows differ, and {missing} are in one card alone: two drivers with the same version of corput and the same options have the same hashes"
+    )]
+    CardsDiffer {
+        /// Rows that both have, with other hashes.
+        differ: usize,
+        /// Rows that one has.
+        missing: usize,
+    },
     /// A shader that does not compile or breaks the rules of its tier.
     #[error("shader {shader}: {problem}")]
     Shader {
@@ -301,6 +319,16 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
+/// The command that lists names of a kind, where there is one.
+fn list(kind: &str) -> &'static str {
+    match kind {
+        "integrand" | "estimator" => "; `corput integrands` says more",
+        "sampler" => "; `corput generate --help` says more",
+        "map" => "; `corput maps` says more",
+        _ => "",
+    }
+}
+
 impl Error {
     /// The error for an unknown name, with the most similar known one.
     #[must_use]
@@ -317,7 +345,7 @@ impl Error {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::CheckFailed { .. } => 1,
+            Self::CheckFailed { .. } | Self::CardsDiffer { .. } | Self::Unequal { .. } => 1,
             Self::ZeroCount { .. }
             | Self::IndexRange { .. }
             | Self::NotPrime { .. }

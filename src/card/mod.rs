@@ -91,7 +91,7 @@ impl Card<'_> {
     /// # Errors
     /// [`Error::Output`] and [`Error::Io`] for what cannot be written.
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>> {
-        create_folder(folder)?;
+        create_folder(folder, "--report")?;
         let document = self.document()?;
         let name = &self.info.name;
         let files = [

@@ -22,14 +22,11 @@ impl Comparison {
     /// `Ok` where every exact row that both have is equal, and both have the same.
     ///
     /// # Errors
-    /// [`Error::CheckFailed`].
+    /// [`Error::CardsDiffer`].
     pub fn result(&self) -> Result<()> {
-        match self.differ.len() + self.only.len() {
-            0 => Ok(()),
-            failures => Err(Error::CheckFailed {
-                failures,
-                total: failures + self.equal,
-            }),
+        match (self.differ.len(), self.only.len()) {
+            (0, 0) => Ok(()),
+            (differ, missing) => Err(Error::CardsDiffer { differ, missing }),
         }
     }
 }

@@ -80,7 +80,7 @@ struct Report([Document; 5]);
 
 impl Report {
     fn open(folder: &Path) -> Result<Self> {
-        create_folder(folder)?;
+        create_folder(folder, "--report")?;
         let open =
             |ending: &str| Document::open(&Target::File(folder.join(format!("accuracy.{ending}"))));
         Ok(Self([

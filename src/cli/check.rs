@@ -22,7 +22,7 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
         .map(|path| Document::open(&Target::File(path)));
     let junit = junit.transpose()?;
     if let Some(folder) = &args.report {
-        create_folder(folder)?;
+        create_folder(folder, "--report")?;
     }
     let device = host::open(args.device.as_deref())?;
     let options = Options {
@@ -53,11 +53,11 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     } else {
         print(&line);
         print(&table(&outcome).to_string());
-        print(&summary(&outcome));
         print(&format!(
             "fingerprint of the exact rows: {}",
             card.fingerprint()
         ));
+        print(&summary(&outcome));
     }
     host::validated(device.instance())?;
     Ok(outcome.result()?)

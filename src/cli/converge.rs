@@ -13,6 +13,9 @@ use corput::{Error, Result};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Replicates from which on bootstrap intervals are good.
+const GOOD_REPLICATES: u32 = 32;
+
 /// Finished cells of a study that was cut off, in the report's folder.
 const UNFINISHED: &str = "unfinished.jsonl";
 
@@ -140,7 +143,7 @@ fn engine(args: &ConvergeArgs) -> Result<(Engine, String, Option<Arc<Instance>>)
 }
 
 fn kept(folder: &Path, fresh: bool) -> Result<Kept> {
-    create_folder(folder)?;
+    create_folder(folder, "--report")?;
     let path = folder.join(UNFINISHED);
     if fresh && path.exists() {
         std::fs::remove_file(&path).map_err(|source| Error::Io {
@@ -175,6 +178,12 @@ fn measured(
 
 fn warnings(results: &Results) -> Vec<String> {
     let mut lines = Vec::new();
+    if results.setting.replicates < GOOD_REPLICATES {
+        lines.push(format!(
+            "{} replicates: intervals of fewer than {GOOD_REPLICATES} are rough, and mostly too narrow",
+            results.setting.replicates
+        ));
+    }
     for series in &results.series {
         for warning in &series.cell.warnings {
             let line = format!("{}: {warning}", series.sampler);
@@ -287,6 +296,10 @@ fn verdict(group: &[&Series], target: f64) -> String {
     };
     let others = list.iter().skip(1).map(|one| match one.tied {
         true => format!("{} ties", name(one.series)),
+        false if one.slower < 1.0 => {
+            let faster = one.slower.recip();
+            format!("{} {faster:.1} x faster, perhaps by luck", name(one.series))
+        }
         false => format!("{} {:.1} x slower", name(one.series), one.slower),
     });
     let others: Vec<String> = others.collect();

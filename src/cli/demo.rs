@@ -13,7 +13,7 @@ pub fn run(args: &DemoArgs) -> anyhow::Result<()> {
     let device = host::open(args.device.as_deref())?;
     let image = load_exr(&args.env)?;
     fits(&device, &image, args)?;
-    create_folder(&args.out)?;
+    create_folder(&args.out, "--out")?;
     print(&host::line(device.info()));
     interrupt::clean_up();
     let bar = progress::steps();

@@ -9,7 +9,7 @@ pub fn run(args: &HeadersArgs) -> anyhow::Result<()> {
     for (name, text) in headers {
         let path = args.out.join(name);
         if let Some(folder) = path.parent() {
-            create_folder(folder)?;
+            create_folder(folder, "--out")?;
         }
         save(&path, text.as_bytes())?;
     }

@@ -1,6 +1,7 @@
 //! What a cell's means and times come to: errors with intervals, a slope, times to errors.
 
 use super::cell::{Cell, Point};
+use super::monotone::rising;
 use super::statistics::{Interval, Statistic, fit, median, quantile, slope};
 use super::truth::Truth;
 
@@ -104,20 +105,23 @@ impl Analysis {
     }
 
     /// When the error comes below a target for good, for all counts that follow; by
-    /// interpolation of the logarithms between measured counts. `None` where it never does.
+    /// interpolation of the logarithms between measured counts, of times that are made to rise
+    /// with them. The interval is from the error's lower end and the time's lower quartile to
+    /// their upper ones. `None` where it never does.
     #[must_use]
     pub fn reached(&self, target: f64) -> Option<Reached> {
-        let of = |value: fn(&Interval) -> f64| {
+        let of = |value: fn(&Interval) -> f64, time: fn(&Interval) -> f64| {
+            let seconds: Vec<f64> = self.errors.iter().map(|one| time(&one.seconds)).collect();
             let line = self
                 .errors
                 .iter()
-                .map(|one| (one.count as f64, one.seconds.value, value(&one.error)));
+                .zip(rising(&seconds))
+                .map(|(one, seconds)| (one.count as f64, seconds, value(&one.error)));
             crossing(&line.collect::<Vec<_>>(), target)
         };
-        let (count, value) = of(|error| error.value)?;
-        // More points may take less time on a device that has other work.
-        let low = of(|error| error.low).map_or(value, |found| found.1);
-        let high = of(|error| error.high).map_or(f64::INFINITY, |found| found.1);
+        let (count, value) = of(|error| error.value, |time| time.value)?;
+        let low = of(|error| error.low, |time| time.low).map_or(value, |found| found.1);
+        let high = of(|error| error.high, |time| time.high).map_or(f64::INFINITY, |found| found.1);
         Some(Reached {
             seconds: Interval {
                 value,

@@ -59,7 +59,7 @@ impl Engine {
     /// on.
     ///
     /// # Errors
-    /// Those of the device, those of `watch`, and [`Error::CheckFailed`] where its sums are not
+    /// Those of the device, those of `watch`, and [`Error::Unequal`] where its sums are not
     /// the CPU's.
     pub fn measure(
         &self,
@@ -109,6 +109,7 @@ impl Engine {
                     none.insert(made)
                 }
             };
+            let what = || format!("{}, {count} points of {}", row.name, sampler.name());
             let dispatches = match sampler.is_random() {
                 true => study.replicates(),
                 false => REPEATS.min(study.replicates()),
@@ -130,12 +131,12 @@ impl Engine {
                     .device_ns
                     .push(timing.device_ns.unwrap_or(timing.host_ns));
                 if replicate == 0 && count <= CHECKED {
-                    self.verify(&row.problem, &request, &sum)?;
+                    self.verify(&row.problem, &request, &sum, &what)?;
                 }
                 sums.push(sum);
             }
             if !sampler.is_random() {
-                repeated(&sums)?;
+                repeated(&sums, &what)?;
                 sums.truncate(1);
             }
             point.means = sums
@@ -158,9 +159,19 @@ impl Engine {
     }
 
     /// Times are worth nothing of sums that are wrong.
-    fn verify(&self, problem: &Problem, request: &Request, sum: &Estimate) -> Result<()> {
+    fn verify(
+        &self,
+        problem: &Problem,
+        request: &Request,
+        sum: &Estimate,
+        what: &dyn Fn() -> String,
+    ) -> Result<()> {
         if matches!(self, Self::Device(_)) {
-            equal(sum, &bulk::estimate(problem, request, 0, request.count)?)?;
+            equal(
+                sum,
+                &bulk::estimate(problem, request, 0, request.count)?,
+                what,
+            )?;
         }
         Ok(())
     }
@@ -197,19 +208,16 @@ impl Summer {
 }
 
 /// The same points must give the same sums.
-fn repeated(sums: &[Estimate]) -> Result<()> {
+fn repeated(sums: &[Estimate], what: &dyn Fn() -> String) -> Result<()> {
     sums.windows(2).try_for_each(|pair| match pair {
-        [one, other] => equal(other, one),
+        [one, other] => equal(other, one, what),
         _ => Ok(()),
     })
 }
 
-fn equal(got: &Estimate, expected: &Estimate) -> Result<()> {
+fn equal(got: &Estimate, expected: &Estimate, what: &dyn Fn() -> String) -> Result<()> {
     match got == expected {
         true => Ok(()),
-        false => Err(Error::CheckFailed {
-            failures: 1,
-            total: 1,
-        }),
+        false => Err(Error::Unequal { what: what() }),
     }
 }

@@ -10,6 +10,7 @@ mod cell;
 mod file;
 mod floor;
 mod kept;
+mod monotone;
 #[cfg(feature = "images")]
 mod report;
 mod results;

@@ -49,16 +49,17 @@ pub fn save(path: &Path, bytes: &[u8]) -> Result<()> {
     Document::open(&Target::File(path.to_owned()))?.finish(bytes)
 }
 
-/// Makes a folder and those above it, as far as they are not there.
+/// Makes a folder and those above it, as far as they are not there; `option` is the one that
+/// names it.
 ///
 /// # Errors
 ///
 /// [`Error::Output`] if it cannot be made.
-pub fn create_folder(path: &Path) -> Result<()> {
+pub fn create_folder(path: &Path, option: &str) -> Result<()> {
     std::fs::create_dir_all(path).map_err(|source| Error::Output {
         path: path.to_owned(),
         problem: source.to_string(),
-        remedy: "choose a folder that can be made and written".into(),
+        remedy: format!("choose a folder that can be made and written with {option}"),
     })
 }
 

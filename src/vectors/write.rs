@@ -41,7 +41,7 @@ pub fn write(folder: &Path, watch: &mut dyn FnMut(&Entry) -> Result<()>) -> Resu
         if let Some(parent) = path.parent()
             && folders.insert(parent.to_owned())
         {
-            create_folder(parent)?;
+            create_folder(parent, "--out")?;
         }
         save(&path, bytes)?;
         files.push(path);

@@ -10,6 +10,7 @@
 //! of a point is then the integrand over the density of the direction that it draws. They
 //! lie in groups with a kernel each, `shaders/kernels/integrand_*.glsl`.
 
+mod cells;
 mod examples;
 mod genz;
 mod highlight;

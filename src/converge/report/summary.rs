@@ -48,14 +48,20 @@ fn sentence(group: &[&Series], target: f64) -> String {
                 points(best.series, best.reached.count),
             )];
             let others = list.iter().skip(1);
-            let (ties, slower): (Vec<&Standing<'_>>, _) = others.partition(|one| one.tied);
+            let (ties, others): (Vec<&Standing<'_>>, Vec<_>) = others.partition(|one| one.tied);
             clauses.extend(ties.iter().map(|one| {
                 let name = name(one.series);
                 format!("{name} ties")
             }));
+            let (slower, faster): (Vec<&Standing<'_>>, Vec<_>) =
+                others.into_iter().partition(|one| one.slower > 1.0);
             if !slower.is_empty() {
                 clauses.push(slowness(&slower));
             }
+            clauses.extend(faster.iter().map(|one| {
+                let (name, faster) = (name(one.series), one.slower.recip());
+                format!("{name} was {faster:.1} times faster, perhaps by luck")
+            }));
             if !missing.is_empty() {
                 let verb = if missing.len() == 1 { "does" } else { "do" };
                 clauses.push(format!("{} {verb} not reach it", missing.join(", ")));

@@ -30,7 +30,7 @@ fn documents_are_compared_by_their_hashes() {
     one["rows"][0]["sha256"] = "0".repeat(64).into();
     std::fs::write(desk.path("c.json"), one.to_string()).unwrap();
     let run = desk.run("check --compare a.json c.json");
-    run.expect(1, &["1 of"]);
+    run.expect(1, &["1 exact rows differ", "0 are in one"]);
     let text = String::from_utf8(run.stdout).unwrap();
     assert!(text.contains("differs      radical_inverse"), "{text}");
     // A row that is not there is not equal.
