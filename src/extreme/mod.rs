@@ -5,6 +5,9 @@
 //! sample of a map it is, so that a device can be asked too, or is one of the host.
 
 mod case;
+mod covered;
+mod device;
+mod document;
 mod elementary;
 mod figures;
 mod heuristics;
@@ -17,6 +20,9 @@ mod tables;
 mod truth;
 
 pub use case::{Case, Measure, Reading, Source, Subject, Truth};
+pub use covered::{By, COVERED, Covered};
+pub use device::{Given, Row, run};
+pub use document::{Counts, SCHEMA, json};
 pub use page::page;
 
 use crate::Result;
