@@ -17,6 +17,8 @@
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
+//! - `extreme`: extreme inputs as data, with what common formulas make of them, for the CPU and
+//!   for a device.
 //! - `vectors`: words of all of it, for ports to test themselves with.
 //!
 //! Features: `cli` (default) is the command line; `gpu` the Vulkan host and the stock
@@ -55,6 +57,8 @@ pub mod demo;
 pub mod environment;
 pub mod error;
 pub mod estimate;
+#[cfg(feature = "gpu")]
+pub mod extreme;
 #[cfg(feature = "images")]
 pub mod image;
 pub mod interface;

@@ -281,6 +281,10 @@ pub struct CheckArgs {
     /// Check nothing: compare the hashes of two documents that --json wrote.
     #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["device", "seconds", "junit", "only", "report"])]
     pub compare: Option<Vec<PathBuf>>,
+    /// Check the catalogue of extreme inputs instead: errors of common formulas, of the CPU, and
+    /// of the device in both profiles.
+    #[arg(long, conflicts_with_all = ["seconds", "junit", "only", "report", "compare"])]
+    pub extreme: bool,
     /// Only rows whose name, header or kernel contains this.
     #[arg(long)]
     pub only: Option<String>,

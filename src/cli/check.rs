@@ -15,6 +15,9 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     if let Some([one, other]) = args.compare.as_deref() {
         return compared(one, other, args.json);
     }
+    if args.extreme {
+        return super::extreme::run(args.device.as_deref(), args.json);
+    }
     let time = args.seconds.map(seconds).transpose()?;
     let junit = args
         .junit

@@ -9,6 +9,7 @@ mod demo;
 mod devices;
 mod environment;
 mod estimate;
+mod extreme;
 mod generate;
 mod guide;
 mod headers;

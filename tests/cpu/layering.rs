@@ -26,12 +26,14 @@ const LEVELS: [&[&str]; 8] = [
     &["catalog", "variant", "report", "picture", "plot", "compile"],
     &["kernels", "bulk"],
     &["check"],
-    &["accuracy", "bench", "card", "demo", "converge", "vectors"],
+    &[
+        "accuracy", "bench", "card", "demo", "converge", "extreme", "vectors",
+    ],
     &["cli"],
 ];
 
 /// Imports within one level: (module, module it uses).
-const SIDEWAYS: &[(&str, &str)] = &[("plot", "report")];
+const SIDEWAYS: &[(&str, &str)] = &[("plot", "report"), ("extreme", "accuracy")];
 
 /// Words that a module must not name, comments and all: (module, word).
 const UNSPEAKABLE: &[(&str, &[&str])] = &[

@@ -1,5 +1,5 @@
 //! The scattering distributions: reference against the judge, pdf against samples, inverses,
-//! extremes against multi-precision truth, and broken forms of each, which fail.
+//! and broken forms of each, which fail.
 
 #[path = "scattering/accuracy.rs"]
 mod accuracy;
@@ -11,10 +11,6 @@ mod chi;
 mod degenerate;
 #[path = "scattering/energy.rs"]
 mod energy;
-#[path = "extreme.rs"]
-mod extreme;
-#[path = "scattering/extremes.rs"]
-mod extremes;
 #[path = "scattering/inverse.rs"]
 mod inverse;
 #[path = "scattering/lobes.rs"]

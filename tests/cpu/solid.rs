@@ -2,8 +2,6 @@
 
 #[path = "solid/cone.rs"]
 mod cone;
-#[path = "extreme.rs"]
-mod extreme;
 #[path = "solid/lights.rs"]
 mod lights;
 #[path = "solid/planar.rs"]

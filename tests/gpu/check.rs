@@ -96,3 +96,19 @@ fn dispatches_over_pairs_are_short() {
         }
     });
 }
+
+/// Extreme inputs have the CPU's words too, most of them also a result of the native profile.
+#[test]
+fn every_extreme_case_passes_on_every_device() {
+    use corput::extreme::{Counts, run};
+    support::on_each_device(|device| {
+        let rows = run(device).unwrap_or_else(|error| panic!("{error}"));
+        for row in rows.iter().filter(|row| row.failure.is_some()) {
+            println!("{} {}: {:?}", row.case.number, row.case.input, row.failure);
+        }
+        let counts = Counts::of(&rows);
+        println!("{counts:?}");
+        assert_eq!(counts.failed, 0);
+        assert!(2 * counts.device > counts.rows && counts.native > 100);
+    });
+}

@@ -1,6 +1,5 @@
 //! Plane figures: triangle, regular polygon, annulus.
 
-use super::extreme::extreme;
 use super::tools::{grid, random, relative, turn_distance, unit};
 use corput::glam::{UVec2, Vec2, uvec2, vec2};
 use corput::judge::{planar as judge, ulp_error};
@@ -50,34 +49,6 @@ fn weights_sum_exactly() {
         let sum = u64::from(w.x) + u64::from(w.y) + u64::from(w.z);
         assert_eq!(sum, 1 << 31, "{u}: {w}");
     }
-    // PBRT's map and repair in floats: b1 /= b1 + b2, b2 /= b1 + b2 uses the new b1.
-    let (b1, b2) = (0.8f32, 0.4f32);
-    let first = b1 / (b1 + b2);
-    let second = b2 / (first + b2);
-    let broken = 1.0 - first - second;
-    println!("| row | input | naive | ours | threshold |");
-    extreme(
-        26,
-        "triangle, b1 + b2 = 1.2, negative weight",
-        (-broken).max(0.0).into(),
-        0.0,
-        0.0,
-    );
-    // The usual float form loses the sum.
-    let lost = |u: UVec2| {
-        let (x, y) = (u.x as f32 * 2f32.powi(-32), u.y as f32 * 2f32.powi(-32));
-        let (b0, b1) = (1.0 - x.sqrt(), y * x.sqrt());
-        let b2 = 1.0 - b0 - b1;
-        ((b0 + b1) + b2 - 1.0).abs().max((-b2).max(0.0))
-    };
-    let worst = random(100_000).map(lost).fold(0.0, f32::max);
-    extreme(
-        22,
-        "triangle, sum of weights less 1",
-        worst.into(),
-        0.0,
-        0.0,
-    );
 }
 
 #[test]

@@ -1,8 +1,7 @@
 //! Powers of the cosine.
 
-use super::extreme::extreme;
 use super::significance::{critical, deviate};
-use super::tools::{grid, random, relative, truth, turn_distance, unit};
+use super::tools::{grid, random, relative, turn_distance, unit};
 use corput::glam::{UVec2, Vec3, uvec2, vec3};
 use corput::judge::{spherical, ulp_error};
 use corput::reference::cosine_power::*;
@@ -178,28 +177,6 @@ fn degenerate_input_gives_what_the_headers_say() {
         }
     }
     assert_eq!(direction(f32::NAN, uvec2(5, 0)).z, 1.0);
-}
-
-#[test]
-fn extreme_powers_of_the_cosine() {
-    for t in truth("cosine-power-hemisphere") {
-        let n = t.parameters[0] as f32;
-        let d = direction(n, t.u);
-        let z = (1.0 - unit(t.u.x) as f32).powf(1.0 / (n + 1.0));
-        let (naive, got) = if t.quantity == "x" {
-            ((1.0 - z * z).max(0.0).sqrt(), f64::from(d.x))
-        } else {
-            let naive = 0.5 * std::f32::consts::FRAC_1_PI * (n + 1.0) * d.z.powf(n);
-            (naive, pdf(n, d))
-        };
-        let input = format!(
-            "cosine-power-hemisphere, n = {n}, u = {} 2^-32, {}",
-            t.u.x, t.quantity
-        );
-        let (naive, ours) = (relative(naive.into(), t.value), relative(got, t.value));
-        let bound = if t.quantity == "x" { 1e-7 } else { 1e-5 };
-        extreme(t.row, &input, naive, ours, bound);
-    }
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Spherical rectangles.
 
-use super::extreme::extreme;
-use super::tools::{doubles, excess, grid, integrated, random, relative, truth, unit, vectors};
+use super::tools::{doubles, excess, grid, integrated, random, unit, vectors};
 use corput::glam::{Vec3, uvec2};
 use corput::judge::{spherical_triangle as judge, ulp_error};
 use corput::reference::native::spherical_rectangle as native;
@@ -36,35 +35,6 @@ fn size(p: [f32; 9]) -> f64 {
     let [o, x, y] = vectors(p).map(Vec3::as_dvec3);
     let chord = |v: corput::glam::DVec3| (v.normalize() - o.normalize()).length();
     chord(o + x).max(chord(o + y)).max(chord(o + x + y))
-}
-
-/// Girard's theorem in floats with the inner angles of Urena et al.
-fn girard(p: [f32; 9]) -> f32 {
-    let [o, x, y] = vectors(p);
-    let corners = [o, o + x, o + x + y, o + y];
-    let normals = [0, 1, 2, 3].map(|i| corners[i].cross(corners[(i + 1) % 4]).normalize());
-    let angles = [0, 1, 2, 3].map(|i| (-normals[i].dot(normals[(i + 1) % 4])).acos());
-    angles.iter().sum::<f32>() - std::f32::consts::TAU
-}
-
-#[test]
-fn extreme_rectangles() {
-    for t in truth("spherical-rectangle") {
-        let mut p = [0.0; 9];
-        for (to, from) in p.iter_mut().zip(&t.parameters) {
-            *to = *from as f32;
-        }
-        let got = spherical_rectangle_solid_angle(prepared(p));
-        let naive = relative(girard(p).into(), t.value);
-        let ours = relative(got.into(), t.value);
-        extreme(
-            t.row,
-            &format!("spherical-rectangle {p:?}, solid angle"),
-            naive,
-            ours,
-            1e-6,
-        );
-    }
 }
 
 #[test]

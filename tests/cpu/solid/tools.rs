@@ -40,7 +40,6 @@ pub fn turn_distance(a: u32, b: u32) -> f64 {
 /// The truth of one extreme case.
 #[derive(Debug)]
 pub struct Truth {
-    pub row: u32,
     pub map: String,
     pub parameters: Vec<f64>,
     pub u: UVec2,
@@ -50,7 +49,7 @@ pub struct Truth {
 
 /// The committed truth of one map.
 pub fn truth(map: &str) -> Vec<Truth> {
-    let text = include_str!("../../data/solid_truth.csv");
+    let text = include_str!("../../../assets/truth/solid_truth.csv");
     let numbers = |list: &str| -> Vec<f64> {
         let words = list.split_whitespace();
         words.map(|word| word.parse().expect("a number")).collect()
@@ -59,7 +58,6 @@ pub fn truth(map: &str) -> Vec<Truth> {
         let fields: Vec<&str> = line.split(',').collect();
         let u = numbers(fields[3]);
         Truth {
-            row: fields[0].parse().expect("a row"),
             map: fields[1].to_owned(),
             parameters: numbers(fields[2]),
             u: uvec2(u[0] as u32, u[1] as u32),

@@ -112,3 +112,25 @@ fn a_report_that_cannot_be_written_is_refused_before_work() {
     desk.run("check --junit none/j.xml")
         .expect(2, &["none/j.xml"]);
 }
+
+#[test]
+fn extreme_cases_are_one_document() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let found = document(&desk, "check --extreme --json");
+    assert_eq!(found["schema"], corput::extreme::SCHEMA);
+    let rows = found["rows"].as_array().unwrap();
+    let counts = &found["counts"];
+    assert_eq!(counts["rows"], rows.len());
+    assert_eq!(counts["failed"], 0);
+    let device = rows.iter().filter(|row| row.get("device").is_some());
+    assert_eq!(counts["on_device"], device.count());
+    let host = rows.iter().filter(|row| row["subject"] == "host");
+    assert_eq!(counts["on_host_alone"], host.count());
+    desk.run("check --extreme --seconds 1")
+        .expect(2, &["--extreme"]);
+    desk.run("check --extreme --device cpu")
+        .expect(2, &["needs one"]);
+}

@@ -1,6 +1,6 @@
 """Truth for tests/cpu/solid, in 80 digits.
 
-Made by: python3 tests/data/solid_truth.py > tests/data/solid_truth.csv (mpmath 1.3.0)
+Made by: python3 assets/truth/solid_truth.py > assets/truth/solid_truth.csv (mpmath 1.3.0)
 
 A line is: row of the catalogue of extreme cases, map, parameters, fractions of 2^32,
 quantity, its value. Parameters are exact: floats in full, or decimals taken as they stand.
