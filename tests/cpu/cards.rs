@@ -120,19 +120,13 @@ fn the_readme_has_their_figures() {
             .iter()
             .filter(|row| row["verdict"] == "passed")
             .count();
-        let driver = &card["device"]["driver"];
+        let device = &card["device"];
+        let text = |value: &Value| value.as_str().expect("a text").to_owned();
+        let title = text(&device["name"]) + " " + &text(&device["driver"]["info"]);
         table += &format!(
-            "| [{} {}](docs/cards/{}.html) | {} | {} | {} | {kept} of {} | `{}` |\n",
-            card["device"]["name"].as_str().expect("a name"),
-            driver["info"].as_str().expect("its version"),
-            if card["device"]["name"]
-                .as_str()
-                .is_some_and(|name| name.contains("llvmpipe"))
-            {
-                DRIVERS[0]
-            } else {
-                DRIVERS[1]
-            },
+            "| [{}](docs/cards/{}.html) | {} | {} | {} | {kept} of {} | `{}` |\n",
+            title.trim_end(),
+            driver,
             rows.len() - native.len(),
             grouped(sum("compared")),
             sum("mismatches"),
