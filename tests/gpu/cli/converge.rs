@@ -49,7 +49,7 @@ fn errors_are_the_same_on_the_device_and_the_cpu() {
 fn the_text_names_who_is_first_at_each_target() {
     let desk = Desk::new();
     let line = "converge --integrand x-squared --sampler random,sobol:owen,halton --max-count 4096 \
-                --replicates 8 --device cpu --target 1e-2,1e-9";
+                --replicates 32 --device cpu --target 1e-2,1e-9";
     let text = desk.say(line);
     assert!(text.contains("to 1e-2: use "), "{text}");
     assert!(text.contains("to 1e-9: none reaches it"), "{text}");
