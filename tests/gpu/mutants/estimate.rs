@@ -50,7 +50,7 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("a cursor that does not move on", Mismatch, Estimate("disk-step"),
         "kernels/estimate.comp", "            cursor = cursor_next(cursor, c);\n", ""),
     mutant("a column of a tile not loaded", Mismatch, EstimateTile("disk-step"),
-        "kernels/tile.glsl", "COLUMN1 = column_load(COLUMN_ROWS)", "COLUMN1 = column_load(0u)"),
+        "kernels/tile.glsl", "COLUMN1 = column_load(COLUMN_ROWS + zero)", "COLUMN1 = column_load(zero)"),
     mutant("a tile that does not move on", Mismatch, EstimateTile("disk-step"),
         "kernels/estimate.comp", "                    tile = tile_group(tile, SIDE_BY_SIDE);\n", ""),
     mutant("terms cut instead of rounded", Mismatch, Estimate("genz-gaussian"),
