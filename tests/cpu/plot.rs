@@ -245,7 +245,7 @@ fn markup_in_text_stays_text() {
     };
     let svg = scatter(&halton(4), &style).unwrap();
     drawn("markup", &svg, [482, 502]);
-    assert!(svg.contains("&lt;/svg&gt;") && svg.contains("a &lt; b &amp; \"c\""));
+    assert!(svg.contains("&lt;/svg&gt;") && svg.contains("a &lt; b &amp; &quot;c&quot;"));
 }
 
 #[test]
