@@ -1,9 +1,8 @@
-//! The report card as one HTML file: no script, no request, light or dark as the reader's
-//! system is.
+//! The report card as a page.
 
 use super::Card;
-use crate::check::{Row, Verdict};
-use crate::report::escape;
+use crate::check::{Row, Verdict, figure};
+use crate::report::{self, escape};
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -12,7 +11,7 @@ const STYLE: &str = include_str!("page.css");
 /// The page of a card, whose document the caller has made.
 #[must_use]
 pub fn page(card: &Card, document: &Value) -> String {
-    let title = escape(&format!("{}: report card", card.info.name));
+    let title = format!("{}: report card", card.info.name);
     let parts = [
         summary(card),
         identity(card, document),
@@ -22,16 +21,8 @@ pub fn page(card: &Card, document: &Value) -> String {
         rows(&card.outcome.rows),
         kernels(document),
     ];
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
-         style-src 'unsafe-inline'; img-src data:\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n\
-         <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n\
-         </head>\n<body>\n<main>\n<h1>{title}</h1>\n{}</main>\n</body>\n</html>\n",
-        parts.concat()
-    )
+    let main = format!("<h1>{}</h1>\n{}", escape(&title), parts.concat());
+    report::page(&title, STYLE, &main)
 }
 
 /// What a reader wants first.
@@ -214,20 +205,12 @@ fn bounded(row: &Row) -> String {
         (Some(worst), Some(bound)) => {
             format!(
                 "{} of {} {}",
-                number(worst),
-                number(bound),
+                figure(worst),
+                figure(bound),
                 row.unit.trim_start_matches("of ")
             )
         }
         _ => String::new(),
-    }
-}
-
-fn number(value: f64) -> String {
-    match value {
-        0.0 => "0".to_owned(),
-        v if (1e-2..1e4).contains(&v) => format!("{v:.3}"),
-        v => format!("{v:.2e}"),
     }
 }
 

@@ -38,7 +38,7 @@ pub use maps::{compare_map, examples, fractions, judge_native, truth};
 pub use native::{NATIVE, NativeRow, compare_native};
 pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
-pub use rows::{Row, Verdict};
+pub use rows::{Row, Verdict, figure};
 
 use crate::catalog::{FUNCTIONS, Profile, Tier};
 use crate::interface::KERNELS;

@@ -50,6 +50,16 @@ pub struct Row {
     words: Option<Box<Sha256>>,
 }
 
+/// An error or a bound as tables show it.
+#[must_use]
+pub fn figure(value: f64) -> String {
+    match value {
+        0.0 => "0".to_owned(),
+        v if (1e-2..1e4).contains(&v) => format!("{v:.3}"),
+        v => format!("{v:.2e}"),
+    }
+}
+
 /// The words of a sum, the lowest first.
 pub(super) fn words128(sum: u128) -> [u32; 4] {
     [0, 32, 64, 96].map(|shift| (sum >> shift) as u32)

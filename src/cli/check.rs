@@ -5,7 +5,7 @@ use super::{host, print, progress};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use corput::Error;
 use corput::card::Card;
-use corput::check::{self, Options, Outcome, Row, Verdict};
+use corput::check::{self, Options, Outcome, Row, Verdict, figure};
 use corput::report::{Document, Target, create_folder};
 use serde_json::json;
 use std::path::Path;
@@ -145,14 +145,6 @@ fn table(outcome: &Outcome) -> Table {
         }
     }
     table
-}
-
-fn figure(value: f64) -> String {
-    match value {
-        0.0 => "0".to_owned(),
-        v if (1e-2..1e4).contains(&v) => format!("{v:.3}"),
-        v => format!("{v:.2e}"),
-    }
 }
 
 fn summary(outcome: &Outcome) -> String {

@@ -23,6 +23,7 @@
 mod encode;
 mod escape;
 mod format;
+mod page;
 mod place;
 mod read;
 mod sink;
@@ -30,6 +31,7 @@ mod sink;
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
 pub use escape::escape;
 pub use format::Format;
+pub use page::page;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};
 pub use sink::{Sink, Summary, hexadecimal};

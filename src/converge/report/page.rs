@@ -1,4 +1,4 @@
-//! The page: one file without scripts, which asks for nothing outside it.
+//! The page of a study.
 
 use super::figures::Pair;
 use super::method::method;
@@ -7,6 +7,7 @@ use super::summary::summary;
 use super::words::escape;
 use crate::converge::{Results, Series};
 use crate::plot::dark_rules;
+use crate::report;
 
 /// Colours of the page, light and dark; figures have theirs in `plot::dark_rules`.
 const STYLE: &str = include_str!("page.css");
@@ -26,22 +27,18 @@ pub fn page(results: &Results, parts: &[(&str, Vec<&Series>, Vec<Pair>)]) -> Str
         }
     };
     let names: Vec<&str> = parts.iter().map(|(name, ..)| *name).collect();
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
-         style-src 'unsafe-inline'; img-src data:\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n\
-         <link rel=\"icon\" href=\"data:,\">\n\
-         <title>Error against time: {names}</title>\n<style>\n{STYLE}\
-         @media (prefers-color-scheme: dark) {{\n{}}}\n</style>\n</head>\n<body>\n<main>\n\
-         <h1>Error against time</h1>\n<p>Measured by corput converge on {}.</p>\n{failed}\
-         <section id=\"summary\">\n<h2>What to use</h2>\n{}</section>\n{sections}{}</main>\n\
-         </body>\n</html>\n",
-        dark_rules(),
-        escape(&setting.device),
-        summary(results),
-        method(results),
-        names = escape(&names.join(", ")),
+    report::page(
+        &format!("Error against time: {}", names.join(", ")),
+        &format!(
+            "{STYLE}@media (prefers-color-scheme: dark) {{\n{}}}\n",
+            dark_rules()
+        ),
+        &format!(
+            "<h1>Error against time</h1>\n<p>Measured by corput converge on {}.</p>\n{failed}\
+             <section id=\"summary\">\n<h2>What to use</h2>\n{}</section>\n{sections}{}",
+            escape(&setting.device),
+            summary(results),
+            method(results)
+        ),
     )
 }
