@@ -1,8 +1,15 @@
 //! The arguments.
 
+mod study;
+mod values;
+
+pub use study::{ConvergeArgs, EstimateArgs, IntegrandsArgs};
+pub use values::{Grid, Param};
+
 use super::guide;
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
+use values::{cells, grid, param, whole};
 
 /// Low-discrepancy points and importance-sampled directions, bit-identical on every
 /// conformant Vulkan driver and on the CPU.
@@ -167,104 +174,6 @@ pub struct MapsArgs {
 }
 
 #[derive(Debug, Args)]
-pub struct IntegrandsArgs {
-    /// Only this one.
-    pub name: Option<String>,
-    /// Print one JSON document.
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(Debug, Args)]
-#[command(
-    after_help = "Without --study and --integrand the default study runs: 6 integrands, 6 samplers."
-)]
-pub struct ConvergeArgs {
-    /// A study file (TOML): integrands, samplers and settings, which options below override.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["integrand", "sampler", "estimator"])]
-    pub study: Option<PathBuf>,
-    /// What to integrate, as genz-gaussian:d=8; may be repeated. `corput integrands` lists them.
-    #[arg(long)]
-    pub integrand: Vec<String>,
-    /// Samplers, as random,halton:permute,sobol:owen [default: those of the default study].
-    #[arg(long, value_delimiter = ',')]
-    pub sampler: Option<Vec<String>>,
-    /// Estimators of the integrand, where it has a choice [default: all].
-    #[arg(long, value_delimiter = ',', requires = "integrand")]
-    pub estimator: Option<Vec<String>>,
-    /// The fewest points [default: 16].
-    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
-    pub min_count: Option<u64>,
-    /// The most points, to 2^32; the counts are the powers of two up to it, and it
-    /// [default: 262144].
-    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
-    pub max_count: Option<u64>,
-    /// Independent randomisations of each sampler that is random [default: 32].
-    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
-    pub replicates: Option<u64>,
-    /// Seed of the first; the others follow it [default: 1].
-    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
-    pub seed: Option<u64>,
-    /// Relative errors of which the time is asked [default: 1e-2,1e-3,1e-4].
-    #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
-    pub target: Option<Vec<f64>>,
-    /// Folder for report.html, figures, results.json and results.csv. A study that was cut off
-    /// goes on from the cells that it keeps there.
-    #[arg(long, value_name = "DIR")]
-    pub report: Option<PathBuf>,
-    /// Begin anew in place of going on.
-    #[arg(long, requires = "report")]
-    pub fresh: bool,
-    /// Device by index or part of its name; `cpu` for the reference.
-    #[arg(long)]
-    pub device: Option<String>,
-    /// Print the results as one JSON document.
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(Debug, Args)]
-#[command(
-    after_help = "Sums are exact: the same bits on every device, by any number of dispatches."
-)]
-pub struct EstimateArgs {
-    /// What to integrate, as x-squared, genz-gaussian:d=8,difficulty=5 or
-    /// irradiance:map=FILE,axis=+z; `corput integrands` lists them.
-    #[arg(long)]
-    pub integrand: String,
-    /// How to estimate it, where there is a choice; `corput integrands` lists them, the
-    /// default first.
-    #[arg(long)]
-    pub estimator: Option<String>,
-    /// The points: a sequence of `corput generate`, and its scramble, as sobol:owen.
-    #[arg(long)]
-    pub sampler: String,
-    /// Points: 1 to 2^32.
-    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
-    pub count: u64,
-    /// Seed of the randomisation.
-    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
-    pub seed: Option<u64>,
-    /// Index of the first point.
-    #[arg(long, visible_alias = "first", value_parser = whole, allow_hyphen_values = true, default_value = "0")]
-    pub start: u64,
-    /// A picture of so many pixels, as 64x48, with --count points for each: of pixel-edge and
-    /// soft-shadow.
-    #[arg(long, value_parser = super::pixels::size)]
-    pub pixels: Option<[u32; 2]>,
-    /// Write the picture: .npy has mean, variance and count, .exr the means, .png the means as
-    /// shares of the largest.
-    #[arg(long)]
-    pub out: Option<PathBuf>,
-    /// Device by index or part of its name; `cpu` for the reference.
-    #[arg(long)]
-    pub device: Option<String>,
-    /// Print one JSON document, with the sums as decimal strings.
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(Debug, Args)]
 pub struct CheckArgs {
     /// Device by index or part of its name.
     #[arg(long)]
@@ -407,71 +316,4 @@ pub struct PlotArgs {
     /// The picture: .svg or .png.
     #[arg(long)]
     pub out: PathBuf,
-}
-
-/// Columns and rows, as 16x9.
-fn cells(text: &str) -> Result<[u32; 2], String> {
-    let parsed = text
-        .split_once('x')
-        .and_then(|(columns, rows)| Some([columns.parse().ok()?, rows.parse().ok()?]));
-    let limit = "it must be columns x rows, each 1 to 1024, as 16x9";
-    match parsed {
-        Some(cells) if cells.iter().all(|n| (1..=1024).contains(n)) => Ok(cells),
-        _ => Err(format!("`{text}` is no grid; {limit}")),
-    }
-}
-
-/// Cells along each axis.
-#[derive(Clone, Debug)]
-pub struct Grid(pub Vec<u64>);
-
-fn grid(text: &str) -> Result<Grid, String> {
-    let cells: Option<Vec<u64>> = text.split('x').map(|axis| axis.parse().ok()).collect();
-    let limit = "it must be the cells along each axis, each 1 or more, as 32x16";
-    match cells {
-        Some(cells) if !cells.contains(&0) => Ok(Grid(cells)),
-        _ => Err(format!("`{text}` is no grid; {limit}")),
-    }
-}
-
-/// A parameter of a map.
-#[derive(Clone, Debug)]
-pub struct Param {
-    /// Its name.
-    pub name: String,
-    /// Its numbers.
-    pub numbers: Vec<f64>,
-}
-
-fn param(text: &str) -> Result<Param, String> {
-    let (name, list) = text
-        .split_once('=')
-        .ok_or_else(|| format!("`{text}` has no value; write NAME=X or NAME=X,Y,Z"))?;
-    if name.is_empty() {
-        return Err(format!("`{text}` has no name; write NAME=X or NAME=X,Y,Z"));
-    }
-    let number = |part: &str| {
-        let value = part.parse().ok().filter(|value: &f64| value.is_finite());
-        value.ok_or_else(|| {
-            format!("`{part}` is no finite number; write {name}=0.5 or {name}=1,0,0")
-        })
-    };
-    Ok(Param {
-        name: name.to_owned(),
-        numbers: list.split(',').map(number).collect::<Result<_, _>>()?,
-    })
-}
-
-/// A whole number from 0 to 2^64 - 1, with a message that says so.
-fn whole(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| {
-        let limit = "it must be a whole number from 0 to 18446744073709551615";
-        match text.parse::<f64>() {
-            Ok(value) if value < 0.0 => format!("{text} is negative; {limit}"),
-            _ if !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()) => {
-                format!("{text} is too large; {limit}")
-            }
-            _ => format!("`{text}` is no whole number; {limit}"),
-        }
-    })
 }

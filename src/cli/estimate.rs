@@ -155,7 +155,7 @@ fn text(problem: &Problem, request: &Request, made: &Made) -> String {
 }
 
 /// The parameters of a problem by name.
-pub fn parameters(problem: &Problem) -> Map<String, Value> {
+fn parameters(problem: &Problem) -> Map<String, Value> {
     let parameters = problem.integrand().parameters.iter();
     let mut parameters: Map<String, Value> = parameters
         .zip(problem.values())
@@ -171,11 +171,9 @@ pub fn parameters(problem: &Problem) -> Map<String, Value> {
     parameters
 }
 
-fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
-    let estimate = &made.estimate;
-    let independent = independent(request);
-    let mean = estimate.mean();
-    json!({
+/// What was asked for.
+pub fn about(problem: &Problem, request: &Request) -> Map<String, Value> {
+    let about = json!({
         "integrand": problem.integrand().name,
         "estimator": problem.estimator(),
         "dimensions": problem.dimensions(),
@@ -184,6 +182,16 @@ fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
         "scramble": request.scramble.name(),
         "seed": request.seed,
         "start": request.first,
+    });
+    about.as_object().cloned().unwrap_or_default()
+}
+
+fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
+    let estimate = &made.estimate;
+    let independent = independent(request);
+    let mean = estimate.mean();
+    let mut document = about(problem, request);
+    let result = json!({
         "count": estimate.count(),
         "mean": mean,
         "variance": estimate.variance(),
@@ -199,5 +207,7 @@ fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
         "kernel": made.kernel,
         "device_ms": made.device_ms,
         "total_ms": made.total_ms,
-    })
+    });
+    document.extend(result.as_object().cloned().unwrap_or_default());
+    Value::Object(document)
 }

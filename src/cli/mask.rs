@@ -5,6 +5,7 @@
 //! PNG of 16 bits. With at most 65,536 pixels no two ranks share a value in any of them.
 
 use super::args::GenerateArgs;
+use super::format::Format;
 use super::{host, interrupt, progress};
 use corput::blue_noise::{MaskShape, void_and_cluster};
 use corput::catalog::Guide;
@@ -26,24 +27,6 @@ pub const GUIDE: Guide = Guide {
     source: "Ulichney 1993, Wolfe et al. 2022",
 };
 
-/// How a mask is written. Frames lie one below the other in pictures, and along the first
-/// axis of an array; channels along the last.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Format {
-    /// Fractions as `f32`, or as `u32` with --fractions.
-    Npy,
-    /// The leading 16 bits of the fractions.
-    Png,
-    /// Fractions as `f32`.
-    Exr,
-}
-
-const FORMATS: [(&str, Format); 3] = [
-    ("npy", Format::Npy),
-    ("png", Format::Png),
-    ("exr", Format::Exr),
-];
-
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     let size = args.size.ok_or_else(|| {
         refusal(
@@ -63,7 +46,7 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     };
     refuse_points(args)?;
     let target = Target::from(args.out.as_path());
-    let format = format(args, &target)?;
+    let format = Format::of(&target, args.format.as_deref())?;
     if args.fractions && format != Format::Npy {
         let limit = "a PNG holds 16 bits of the fractions, and an .exr floats";
         return Err(refusal("--fractions".into(), limit, "write an .npy, or drop it").into());
@@ -125,22 +108,6 @@ fn refusal(asked: String, limit: &str, remedy: &str) -> Error {
     }
 }
 
-fn format(args: &GenerateArgs, target: &Target) -> Result<Format> {
-    let name = match (&args.format, target) {
-        (Some(name), _) => name.clone(),
-        (None, Target::Stdout) => "npy".to_owned(),
-        (None, Target::File(path)) => {
-            let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
-            ending.unwrap_or_else(|| path.display().to_string())
-        }
-    };
-    let known = FORMATS.map(|(name, _)| name);
-    let found = FORMATS.iter().find(|(known, _)| *known == name);
-    found
-        .map(|(_, format)| *format)
-        .ok_or_else(|| Error::unknown_name("format of a mask", &name, &known))
-}
-
 /// The fractions of every pixel, channels innermost.
 fn fractions(args: &GenerateArgs, shape: MaskShape, channels: u32) -> anyhow::Result<Vec<u32>> {
     let pixels = shape.pixels();
@@ -174,6 +141,9 @@ fn fractions(args: &GenerateArgs, shape: MaskShape, channels: u32) -> anyhow::Re
     Ok(fractions)
 }
 
+/// Of an array `f32` fractions, or `u32` ones where they are asked for whole; of a PNG their
+/// leading 16 bits. Frames lie one below the other in pictures, and along the first axis of an
+/// array; channels along the last.
 fn encode(
     format: Format,
     shape: MaskShape,

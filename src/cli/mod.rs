@@ -10,6 +10,7 @@ mod devices;
 mod environment;
 mod estimate;
 mod extreme;
+mod format;
 mod generate;
 mod guide;
 mod headers;

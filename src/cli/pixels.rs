@@ -5,10 +5,11 @@
 //! that pictures of other points of a pixel merge.
 
 use super::args::EstimateArgs;
-use super::estimate::{heading, parameters};
+use super::estimate::{about, heading};
+use super::format::Format;
 use super::{host, interrupt, print, progress};
 use corput::bulk::estimate_pixels;
-use corput::catalog::{Problem, Raster, Request};
+use corput::catalog::{Raster, Request};
 use corput::estimate::{Estimate, Pixels};
 use corput::kernels::PixelEstimator;
 use corput::picture::{self, Size};
@@ -17,23 +18,10 @@ use corput::{Error, Result};
 use serde_json::{Value, json};
 use std::time::Instant;
 
-/// How a picture is written.
-#[derive(Clone, Copy)]
-enum Format {
-    Npy,
-    Png,
-    Exr,
-}
-
-const FORMATS: [(&str, Format); 3] = [
-    ("npy", Format::Npy),
-    ("png", Format::Png),
-    ("exr", Format::Exr),
-];
-
 pub fn run(args: &EstimateArgs, raster: &Raster, request: &Request) -> anyhow::Result<()> {
     let target = args.out.as_deref().map(Target::from);
-    let target = target.map(|target| Ok::<_, Error>((format(&target)?, Document::open(&target)?)));
+    let target =
+        target.map(|target| Ok::<_, Error>((Format::of(&target, None)?, Document::open(&target)?)));
     let target = target.transpose()?;
     interrupt::clean_up();
     let made = made(args, raster)?;
@@ -50,13 +38,6 @@ pub fn run(args: &EstimateArgs, raster: &Raster, request: &Request) -> anyhow::R
     Ok(())
 }
 
-/// Columns and rows, as `64x48`.
-pub fn size(text: &str) -> core::result::Result<[u32; 2], String> {
-    let sides = text.split_once('x');
-    let sides = sides.and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    sides.ok_or_else(|| format!("{text} is no size; write columns and rows as 64x48"))
-}
-
 /// Refuses what only pictures have.
 pub fn refuse(args: &EstimateArgs) -> Result<()> {
     match args.out {
@@ -67,20 +48,6 @@ pub fn refuse(args: &EstimateArgs) -> Result<()> {
             remedy: "add --pixels 64x48, or take --json for the sums".into(),
         }),
     }
-}
-
-fn format(target: &Target) -> Result<Format> {
-    let name = match target {
-        Target::Stdout => "npy".to_owned(),
-        Target::File(path) => {
-            let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
-            ending.unwrap_or_else(|| path.display().to_string())
-        }
-    };
-    let found = FORMATS.iter().find(|(known, _)| *known == name);
-    found.map(|(_, format)| *format).ok_or_else(|| {
-        Error::unknown_name("format of a picture", &name, &FORMATS.map(|(name, _)| name))
-    })
 }
 
 /// A picture, and what made it.
@@ -203,7 +170,6 @@ fn text(raster: &Raster, request: &Request, made: &Made, truths: &[f64]) -> Resu
 }
 
 fn document(raster: &Raster, request: &Request, made: &Made, truths: &[f64]) -> Value {
-    let problem: &Problem = raster.problem();
     let [width, height] = raster.size();
     let pixels: Vec<Value> = made
         .pixels
@@ -222,15 +188,8 @@ fn document(raster: &Raster, request: &Request, made: &Made, truths: &[f64]) -> 
             })
         })
         .collect();
-    json!({
-        "integrand": problem.integrand().name,
-        "estimator": problem.estimator(),
-        "dimensions": problem.dimensions(),
-        "parameters": parameters(problem),
-        "sampler": request.sequence.name(),
-        "scramble": request.scramble.name(),
-        "seed": request.seed,
-        "start": request.first,
+    let mut document = about(raster.problem(), request);
+    let result = json!({
         "count": raster.count(),
         "width": width,
         "height": height,
@@ -239,5 +198,7 @@ fn document(raster: &Raster, request: &Request, made: &Made, truths: &[f64]) -> 
         "device_ms": made.device_ms,
         "total_ms": made.total_ms,
         "pixels": pixels,
-    })
+    });
+    document.extend(result.as_object().cloned().unwrap_or_default());
+    Value::Object(document)
 }
