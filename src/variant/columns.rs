@@ -6,6 +6,7 @@ use crate::reference::hammersley::hammersley_start;
 use crate::reference::hash::seed as derived_seed;
 use crate::reference::odometer::OdometerBase;
 use crate::reference::owen::matrix_scramble;
+use crate::reference::radical_inverse::Base;
 use crate::tables::sobol_directions;
 use glam::UVec2;
 
@@ -217,12 +218,14 @@ fn digits(base: u32, scramble: DigitScramble, seed: u32, window: u32) -> Vec<u32
         block *= r.base;
         low += 1;
     }
-    vec![
-        kind,
-        seed,
-        low,
-        block,
-        r.power / block,
+    let mut words = vec![kind, seed, low, block, r.power / block];
+    words.extend(base_words(r));
+    words
+}
+
+/// What kernels divide by a base and by its largest power with.
+fn base_words(r: Base) -> [u32; 7] {
+    [
         r.base,
         r.digits,
         r.power,
@@ -261,18 +264,8 @@ fn radical(column: Column, window: u32) -> Vec<u32> {
         }
         _ => column_kind::REVERSED,
     };
-    let r = base.radical;
-    vec![
-        kind,
-        r.base,
-        r.digits,
-        r.power,
-        r.base_magic,
-        r.base_shift,
-        r.power_magic,
-        r.power_shift,
-        base.power,
-        base.quotient,
-        base.fraction,
-    ]
+    let mut words = vec![kind];
+    words.extend(base_words(base.radical));
+    words.extend([base.power, base.quotient, base.fraction]);
+    words
 }
