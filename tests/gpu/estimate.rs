@@ -4,9 +4,7 @@ mod support;
 
 use corput::bulk;
 use corput::catalog::{Options, Problem, Request, Sampler, Scramble, Sequence};
-use corput::compile;
 use corput::estimate::{Estimate, U256};
-use corput::headers;
 use corput::interface::Kernel;
 use corput::kernels::Estimator;
 use corput::variant::{Plan, general_estimate, plan_estimate};
@@ -304,18 +302,7 @@ fn resized(mut plan: Plan, local_size: u32) -> (Plan, Vec<u32>) {
         ..*plan.kernel
     }));
     plan.kernel = row;
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/kernels");
-    let mut read = |name: &str| {
-        let header = headers().iter().find(|(header, _)| *header == name);
-        match header {
-            Some((_, text)) => Some((*text).to_owned()),
-            None if name == "interface.glsl" => Some(row.glsl()),
-            None => std::fs::read_to_string(folder.join(name)).ok(),
-        }
-    };
-    let source = read(row.source).expect("the kernel's source");
-    let words = compile::to_spirv(&source, row.defines, &mut read).expect("SPIR-V");
-    let words = compile::check(&words, row.profile).expect("a clean module");
+    let words = support::edited(row, |source| source);
     (plan, words)
 }
 

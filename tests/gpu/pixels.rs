@@ -4,8 +4,6 @@ mod support;
 
 use corput::bulk;
 use corput::catalog::{Options, Problem, Raster, Scramble, Sequence};
-use corput::compile;
-use corput::headers;
 use corput::kernels::{PixelEstimator, kernel};
 
 fn problem(text: &str, estimator: &str) -> Problem {
@@ -74,7 +72,6 @@ fn broken_kernels_are_caught() {
         let raster = raster(&problem, SAMPLERS[0], 1000);
         let expected = bulk::estimate_pixels(&raster, 0..63).expect("sums");
         let row = kernel("estimate_pixels_net").expect("the kernel");
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/kernels");
         for (from, to, equal) in [
             ("pixel = i / parts", "pixel = i / parts", true),
             ("pixel = i / parts", "pixel = 0u", false),
@@ -82,19 +79,10 @@ fn broken_kernels_are_caught() {
             ("pixel * PIXEL_ROWS", "0u", false),
             ("part = i - pixel * parts", "part = 0u", false),
         ] {
-            let mut read = |name: &str| {
-                let header = headers().iter().find(|(header, _)| *header == name);
-                match header {
-                    Some((_, text)) => Some((*text).to_owned()),
-                    None if name == "interface.glsl" => Some(row.glsl()),
-                    None => std::fs::read_to_string(folder.join(name)).ok(),
-                }
-            };
-            let source = read(row.source).expect("the kernel's source");
-            assert!(source.contains(from), "{from}");
-            let source = source.replace(from, to);
-            let words = compile::to_spirv(&source, row.defines, &mut read).expect("SPIR-V");
-            let words = compile::check(&words, row.profile).expect("a clean module");
+            let words = support::edited(row, |source| {
+                assert!(source.contains(from), "{from}");
+                source.replace(from, to)
+            });
             let mut estimator =
                 PixelEstimator::with_module(device, &raster, Some(&words)).expect("one");
             let (got, _) = estimator.run(&mut |_| Ok(())).expect("sums");

@@ -5,10 +5,11 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use corput::Error;
+use corput::interface::Kernel;
 use corput::vulkan::{
     Device, DeviceInfo, Instance, InstanceOptions, Pipeline, PipelineDescription,
 };
+use corput::{Error, headers};
 
 /// Compiles GLSL for a stock kernel's target.
 pub fn compile(glsl: &str) -> Vec<u32> {
@@ -28,6 +29,22 @@ pub fn compile(glsl: &str) -> Vec<u32> {
     shader
         .and_then(|shader| shader.compile())
         .unwrap_or_else(|error| panic!("{error}\n{glsl}"))
+}
+
+/// A stock kernel's SPIR-V, checked, with an edit of its source.
+pub fn edited(kernel: &Kernel, edit: impl Fn(String) -> String) -> Vec<u32> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/kernels");
+    let mut read = |name: &str| {
+        let header = headers().iter().find(|(header, _)| *header == name);
+        match header {
+            Some((_, text)) => Some((*text).to_owned()),
+            None if name == "interface.glsl" => Some(kernel.glsl()),
+            None => std::fs::read_to_string(folder.join(name)).ok(),
+        }
+    };
+    let source = edit(read(kernel.source).expect("the kernel's source"));
+    let words = corput::compile::to_spirv(&source, kernel.defines, &mut read).expect("SPIR-V");
+    corput::compile::check(&words, kernel.profile).expect("a clean module")
 }
 
 /// A shader of 64 invocations a group, with `i` the invocation's number.
