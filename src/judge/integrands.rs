@@ -36,6 +36,11 @@ pub fn integrand(name: &str, values: &[f64], point: &[u32]) -> f64 {
             let rest = values[1] * t[2].powi(4) * t[0].sin();
             t[0].sin() + values[0] * t[1].sin().powi(2) + rest
         }
+        "oscillation" => {
+            let turns = |u: &u32| u128::from(*u) * values[0] as u128;
+            let fraction = point.iter().map(turns).sum::<u128>() % (1 << 32);
+            (TAU * fraction as f64 * UNIT).cos()
+        }
         "genz-oscillatory" => (TAU * golden(0) + genz.map(|(x, c, _)| c * x).sum::<f64>()).cos(),
         "genz-product-peak" => {
             let factor = |(x, c, w): (f64, f64, f64)| 1.0 / (c.powi(-2) + (x - w).powi(2));

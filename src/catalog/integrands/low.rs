@@ -129,6 +129,38 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         ..BASE
     },
     Integrand {
+        name: "oscillation",
+        id: integrand::OSCILLATORY,
+        dimensions: (1, 64),
+        parameters: &[Parameter {
+            name: "frequency",
+            size: 1,
+            default: Some(&[1024.0]),
+            domain: "it must be a whole number from 1 to 16777216",
+            summary: "periods along each axis",
+        }],
+        prepare: |s| {
+            let frequency = within(s.values, 0, 1.0, 16_777_216.0)?;
+            if frequency.fract() != 0.0 {
+                return Err(0);
+            }
+            // Whole turns alone: of frequency x the fraction is exact.
+            let columns = vec![[0, frequency as u32, 0, 0]; s.dimensions as usize];
+            Ok(Coefficients::real([0; 4], columns, 1.0))
+        },
+        error: 2.5e-7,
+        examples: &[
+            (&[1024.0], 1),
+            (&[1.0], 3),
+            (&[16_777_216.0], 2),
+            (&[4095.0], 64),
+        ],
+        summary: "a wave: points as many as its periods, evenly spaced, see 1",
+        formula: "cos(2 pi frequency (sum of x_j))",
+        source: "Nyquist 1928, Shannon 1949",
+        ..BASE
+    },
+    Integrand {
         name: "square-of-sum",
         id: integrand::SQUARE_OF_SUM,
         dimensions: (1, 64),
