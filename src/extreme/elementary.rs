@@ -2,8 +2,8 @@
 
 use super::case::{Case, Measure, Reading, Source, Subject, Truth, ULP};
 use crate::judge;
-use crate::reference::exponential::power;
-use crate::reference::real::{real, real_float};
+use crate::reference::exponential::{power, real_exp, real_power};
+use crate::reference::real::{real, real_divide, real_float, real_multiply, real_uint};
 use crate::reference::real_angle::angle;
 use std::f32::consts::{LOG2_E, TAU};
 
@@ -171,6 +171,34 @@ fn moderate(x: f32) -> Option<u32> {
     let exponent = (x.to_bits() >> 23) & 0xff;
     let field = exponent.checked_sub(103).filter(|&field| field < 32)?;
     Some((x.to_bits() & 0x807f_ffff) | (field << 23))
+}
+
+/// Geometric means of prices e^x, as of options on an average: the product leaves the range of
+/// floats long before the mean does.
+pub(super) fn geometric_means() -> Vec<Case> {
+    let case = |(first, last, count): (f32, f32, u32)| {
+        let step = (last - first) / (count - 1) as f32;
+        let logs = move || (0..count).map(move |k| first + step * k as f32);
+        let mean = logs().map(f64::from).sum::<f64>() / f64::from(count);
+        let relative = |got: f32| Measure::Relative.error(&[got.into()], &[mean.exp()]);
+        let naive = logs()
+            .map(f32::exp)
+            .product::<f32>()
+            .powf(1.0 / count as f32);
+        let one = real_uint(1, 0);
+        let product = logs().fold(one, |product, x| real_multiply(product, real_exp(real(x))));
+        let ours = real_power(product, real_divide(one, real_uint(count, 0)));
+        Case::host(
+            54,
+            format!("geometric mean of {count} prices from e^{first} to e^{last}"),
+            [relative(naive), relative(real_float(ours))],
+            Source::ClosedForm,
+            ULP,
+        )
+    };
+    [(0.5, 4.5, 64), (-12.0, -8.0, 12), (-80.0, 80.0, 252)]
+        .map(case)
+        .into()
 }
 
 pub(super) fn powers() -> Vec<Case> {

@@ -39,6 +39,7 @@ pub fn cases() -> Result<Vec<Case>> {
         elementary::logarithms(),
         elementary::angles(),
         elementary::powers(),
+        elementary::geometric_means(),
         heuristics::heuristics(),
         heuristics::deltas(),
         plane::disks()?,

@@ -1,5 +1,7 @@
 //! Radical inverses and grids against exact rationals, and their net properties.
 
+use corput::bulk::Reference;
+use corput::catalog::{Options, Request, Scramble, Sequence};
 use corput::judge;
 use corput::reference::{hammersley, odometer, radical_inverse, unit};
 use corput::tables::PRIMES;
@@ -229,6 +231,53 @@ fn elementary_intervals_hold_one_point_each() {
                     "cell {cell} twice: n {n} b {base} {bits} bits"
                 );
             }
+        }
+    }
+}
+
+/// Pearson's correlation of the first `count` points in two bases.
+fn correlation(bases: [u64; 2], count: u64, scramble: Scramble, seed: Option<u64>) -> f64 {
+    let request = Request::new(&Options {
+        bases: Some(bases.into()),
+        dimensions: Some(2),
+        scramble: Some(scramble),
+        seed,
+        fractions: true,
+        ..Options::new(Sequence::Halton, count)
+    })
+    .expect("a pair of bases");
+    let warned = request
+        .warnings
+        .iter()
+        .any(|text| text.contains("on lines"));
+    assert_eq!(warned, seed.is_none(), "{:?}", request.warnings);
+    let mut words = vec![0; 2 * count as usize];
+    Reference::new(&request).fill(0, &mut words);
+    let column = |j| words.iter().skip(j).step_by(2).map(|&u| f64::from(u));
+    let mean = |j| column(j).sum::<f64>() / count as f64;
+    let [a, b] = [mean(0), mean(1)];
+    let product = |i, j, a: f64, b: f64| -> f64 {
+        column(i)
+            .zip(column(j))
+            .map(|(x, y)| (x - a) * (y - b))
+            .sum()
+    };
+    product(0, 1, a, b) / (product(0, 0, a, a) * product(1, 1, b, b)).sqrt()
+}
+
+/// Indices below both bases have one digit: n / b in each, on a line, which the scrambles part.
+#[test]
+fn pairs_of_high_bases_lie_on_lines_until_permuted() {
+    for bases in [[107, 109], [617, 619], [7907, 7919]] {
+        let count = bases[0] - 1;
+        let bound = 3.0 / (count as f64).sqrt();
+        assert!(correlation(bases, count, Scramble::None, None) > 0.999);
+        for scramble in [Scramble::Permute, Scramble::Owen] {
+            let strays = (0..64)
+                .filter(|&seed| correlation(bases, count, scramble, Some(seed)).abs() > bound);
+            // Of a normal distribution 0.17 of 64 are beyond three deviations.
+            let strays = strays.count();
+            assert!(strays <= 2, "{bases:?}: {strays} of 64 seeds");
         }
     }
 }
