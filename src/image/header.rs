@@ -118,6 +118,7 @@ pub fn check_layout(part: &Header, colour: Colour) -> Result<(), Fault> {
     }
     Ok(())
 }
+
 /// Refuses a DWA block whose counters ask for more than any block can hold: exr 1.74
 /// allocates what they say (found by damaging files).
 pub fn check_counters(header: &Header, block: &CompressedBlock) -> Result<(), Fault> {
@@ -138,6 +139,12 @@ pub fn check_counters(header: &Header, block: &CompressedBlock) -> Result<(), Fa
     else {
         return Err("it has deep data".into());
     };
+    // A block that would grow is stored as it is, without counters.
+    let place =
+        header.get_absolute_block_pixel_coordinates(header.get_block_data_indices(block)?)?;
+    if bytes.len() == place.size.area() * header.channels.bytes_per_pixel {
+        return Ok(());
+    }
     // Eleven u64 lead: 1, 6 and 7 count bytes, 8 and 9 coefficients of blocks of 8 x 8.
     // Blocks are padded to 8 x 8; the constant covers those that are narrower.
     let limit = 4 * header.max_block_byte_size() as u64 + (1 << 24);
