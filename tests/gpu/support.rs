@@ -2,8 +2,8 @@
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use corput::interface::Kernel;
 use corput::vulkan::{
@@ -63,6 +63,10 @@ pub fn shader(declarations: &str, body: &str) -> Vec<u32> {
 
 /// An instance with validation; without only if `CORPUT_SKIP_VALIDATION=1`.
 pub fn instance() -> Arc<Instance> {
+    // The loader unloads drivers with its last instance, while threads of theirs may still be
+    // ending: one run in hundreds crashed. One instance is therefore never closed.
+    static OPEN: OnceLock<Option<Arc<Instance>>> = OnceLock::new();
+    OPEN.get_or_init(|| Instance::new(&InstanceOptions::default()).ok());
     let validation = !is_set("CORPUT_SKIP_VALIDATION");
     Instance::new(&InstanceOptions { validation }).unwrap_or_else(|error| panic!("{error}"))
 }
