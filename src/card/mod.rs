@@ -3,10 +3,15 @@
 
 mod device;
 mod page;
+mod statistics;
+mod supplement;
 
 pub use device::{device_document, probe_document};
+pub use statistics::{Statistic, statistics};
+pub use supplement::Supplement;
 
 use crate::check::{Outcome, Row, junit};
+use crate::extreme;
 use crate::interface::{KERNELS, Profile};
 use crate::kernels::spirv;
 use crate::report::{create_folder, hexadecimal, save};
@@ -18,7 +23,7 @@ use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 
 /// Version of the document's form.
-pub const SCHEMA: &str = "corput-card/1";
+pub const SCHEMA: &str = "corput-card/2";
 
 /// A check of a device.
 #[derive(Clone, Copy, Debug)]
@@ -27,12 +32,15 @@ pub struct Card<'a> {
     pub info: &'a DeviceInfo,
     /// What the check found.
     pub outcome: &'a Outcome,
+    /// What a whole card has besides; `None` where a part of the check was asked for.
+    pub supplement: Option<&'a Supplement>,
     /// The command that ran it.
     pub command: &'a str,
 }
 
 impl Card<'_> {
-    /// The document: identity, kernels with their hashes, probe, rows, what was not proved.
+    /// The document: identity, kernels with their hashes, probe, rows, the catalogue of extreme
+    /// inputs and the statistics (`null` where they were not measured), what was not proved.
     ///
     /// # Errors
     /// None, if the stock kernels are as built.
@@ -51,6 +59,10 @@ impl Card<'_> {
             "left_out": self.outcome.left_out,
             "not_proved": self.not_proved(),
             "rows": rows,
+            "catalogue": self.supplement.map(|more| extreme::rows_json(&more.catalogue)),
+            "statistics": self.supplement.map(|more| {
+                more.statistics.iter().map(Statistic::json).collect::<Vec<Value>>()
+            }),
         }))
     }
 
@@ -75,6 +87,12 @@ impl Card<'_> {
     #[must_use]
     pub fn not_proved(&self) -> Vec<String> {
         let mut list: Vec<String> = NOT_PROVED.iter().map(ToString::to_string).collect();
+        if self.supplement.is_none() {
+            list.push(
+                "The extreme inputs and the statistics, which a whole check with --report has."
+                    .into(),
+            );
+        }
         if !self.outcome.probe.tier_f() {
             list.push("Tier F: the probe does not find rounding to nearest even here.".into());
         }

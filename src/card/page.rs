@@ -1,6 +1,6 @@
 //! The report card as a page.
 
-use super::Card;
+use super::{Card, Supplement};
 use crate::check::{Row, Verdict, figure};
 use crate::report::{self, escape};
 use serde_json::Value;
@@ -17,6 +17,7 @@ pub fn page(card: &Card, document: &Value) -> String {
         identity(card, document),
         probe(document),
         both(&card.outcome.rows),
+        card.supplement.map_or(String::new(), supplement),
         not_proved(card),
         rows(&card.outcome.rows),
         kernels(document),
@@ -32,7 +33,7 @@ fn summary(card: &Card) -> String {
     let compared: u64 = exact().map(|row| row.compared).sum();
     let differ: u64 = exact().filter_map(|row| row.mismatches).sum();
     let native = rows.iter().filter(|row| row.profile == "native").count();
-    let failures = card.outcome.failures();
+    let failures = card.outcome.failures() + card.supplement.map_or(0, Supplement::failures);
     let class = if failures == 0 { "passed" } else { "failed" };
     let verdict = match failures {
         0 => "Every row passed".to_owned(),
@@ -130,6 +131,66 @@ fn both(rows: &[Row]) -> String {
         ],
         &lines,
     )
+}
+
+/// Statistics and extreme inputs.
+fn supplement(more: &Supplement) -> String {
+    let mut lines = String::new();
+    let passed = |passed: bool| match passed {
+        true => "<td>passed</td>",
+        false => "<td class=\"failed\">failed</td>",
+    };
+    for one in &more.statistics {
+        let _ = writeln!(
+            lines,
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{} to {}</td>{}</tr>",
+            escape(&one.of),
+            escape(&one.what),
+            one.points,
+            figure(one.value),
+            figure(one.least),
+            figure(one.most),
+            passed(one.passes())
+        );
+    }
+    let statistics = table(
+        "Statistics",
+        "Of points that this device made.",
+        &["of", "what", "points", "value", "must be", "verdict"],
+        &lines,
+    );
+    lines.clear();
+    let error = |error: Option<f64>| error.map_or(String::new(), figure);
+    for row in &more.catalogue {
+        let _ = writeln!(
+            lines,
+            "<tr><th scope=\"row\">{} {}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}</tr>",
+            row.case.number,
+            escape(&row.case.input),
+            figure(row.case.naive),
+            figure(row.case.ours),
+            error(row.device),
+            error(row.native),
+            figure(row.case.bound),
+            passed(row.failure.is_none())
+        );
+    }
+    let catalogue = table(
+        "Extreme inputs",
+        "Errors of the common formula in float, of this crate on the CPU and on this device, and of the \
+         native profile. Rows without a device are of the host alone.",
+        &[
+            "case",
+            "common formula",
+            "CPU",
+            "device",
+            "native",
+            "bound",
+            "verdict",
+        ],
+        &lines,
+    );
+    statistics + &catalogue
 }
 
 fn not_proved(card: &Card) -> String {

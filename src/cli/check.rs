@@ -4,7 +4,7 @@ use super::args::CheckArgs;
 use super::{host, print, progress};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use corput::Error;
-use corput::card::Card;
+use corput::card::{Card, Supplement};
 use corput::check::{self, Options, Outcome, Row, Verdict, figure};
 use corput::report::{Document, Target, create_folder};
 use serde_json::json;
@@ -38,6 +38,9 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
         bar.set_message(row.name.clone());
     })?;
     bar.finish_and_clear();
+    // A part of the check has none.
+    let whole = args.report.is_some() && args.only.is_none() && args.seconds.is_none();
+    let supplement = whole.then(|| Supplement::measure(&device)).transpose()?;
     let line = host::line(device.info());
     if let Some(junit) = junit {
         let xml = check::junit(&outcome.rows, &outcome.left_out, &line);
@@ -46,6 +49,7 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     let card = Card {
         info: device.info(),
         outcome: &outcome,
+        supplement: supplement.as_ref(),
         command: &host::command(),
     };
     if let Some(folder) = &args.report {
@@ -61,9 +65,13 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
             card.fingerprint()
         ));
         print(&summary(&outcome));
+        if let Some(more) = &supplement {
+            print(&supplemented(more));
+        }
     }
     host::validated(device.instance())?;
-    Ok(outcome.result()?)
+    outcome.result()?;
+    Ok(supplement.map_or(Ok(()), |more| more.result())?)
 }
 
 /// A time that is one.
@@ -145,6 +153,33 @@ fn table(outcome: &Outcome) -> Table {
         }
     }
     table
+}
+
+/// What failed of the rest, and how much of it there is.
+fn supplemented(more: &Supplement) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for row in &more.catalogue {
+        lines.extend(
+            row.failure
+                .as_ref()
+                .map(|why| format!("FAILED  {}: {why}", row.case.input)),
+        );
+    }
+    for one in more.statistics.iter().filter(|one| !one.passes()) {
+        lines.push(format!(
+            "FAILED  {}, {}: {}",
+            one.of,
+            one.what,
+            figure(one.value)
+        ));
+    }
+    lines.push(format!(
+        "{} extreme inputs and {} statistics: {} failed",
+        more.catalogue.len(),
+        more.statistics.len(),
+        more.failures()
+    ));
+    lines.join("\n")
 }
 
 fn summary(outcome: &Outcome) -> String {

@@ -64,9 +64,15 @@ pub fn json(device: &str, command: &str, rows: &[Row]) -> Value {
             "common_formula_beyond_bound": counts.naive_beyond,
             "native_beyond_bound": counts.native_beyond,
         },
-        "rows": rows.iter().map(row).collect::<Vec<Value>>(),
+        "rows": rows_json(rows),
         "covered_elsewhere": covered,
     })
+}
+
+/// The rows alone.
+#[must_use]
+pub fn rows_json(rows: &[Row]) -> Vec<Value> {
+    rows.iter().map(row).collect()
 }
 
 fn row(row: &Row) -> Value {

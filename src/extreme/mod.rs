@@ -22,7 +22,7 @@ mod truth;
 pub use case::{Case, Measure, Reading, Source, Subject, Truth};
 pub use covered::{By, COVERED, Covered};
 pub use device::{Given, Row, run};
-pub use document::{Counts, SCHEMA, json};
+pub use document::{Counts, SCHEMA, json, rows_json};
 pub use page::page;
 
 use crate::Result;

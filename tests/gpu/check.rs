@@ -112,3 +112,14 @@ fn every_extreme_case_passes_on_every_device() {
         assert!(2 * counts.device > counts.rows && counts.native > 100);
     });
 }
+
+/// What random numbers, nets and errors should be like, of points that the device made.
+#[test]
+fn statistics_pass_on_every_device() {
+    support::on_each_device(|device| {
+        let found = corput::card::statistics(device).unwrap_or_else(|error| panic!("{error}"));
+        let failed: Vec<_> = found.iter().filter(|one| !one.passes()).collect();
+        assert!(failed.is_empty(), "{failed:#?}");
+        assert_eq!(found.len(), 16);
+    });
+}
