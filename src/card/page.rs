@@ -133,6 +133,11 @@ fn both(rows: &[Row]) -> String {
     )
 }
 
+/// With at most three decimals.
+fn decimal(number: f64) -> String {
+    ((1000.0 * number).round() / 1000.0).to_string()
+}
+
 /// Statistics and extreme inputs.
 fn supplement(more: &Supplement) -> String {
     let mut lines = String::new();
@@ -147,9 +152,9 @@ fn supplement(more: &Supplement) -> String {
             escape(&one.of),
             escape(&one.what),
             one.points,
-            figure(one.value),
-            figure(one.least),
-            figure(one.most),
+            decimal(one.value),
+            decimal(one.least),
+            decimal(one.most),
             passed(one.passes())
         );
     }

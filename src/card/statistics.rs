@@ -156,12 +156,11 @@ fn intervals(name: &str, words: &[u32], bases: [u32; 2]) -> Result<Statistic> {
     let values = words.iter().map(|&u| f64::from(u) / 4_294_967_296.0);
     let points = Points::new(2, values.collect(), Source::U32)?;
     let shapes = elementary_intervals(&points, &bases, false, u64::MAX, &mut |_, _| Ok(()))?;
+    let [one, other] = bases;
     Ok(Statistic {
         what: format!(
-            "unfair shapes of elementary intervals, of {} in bases {} and {}",
-            shapes.len(),
-            bases[0],
-            bases[1]
+            "unfair shapes of elementary intervals, of {} in bases {one} and {other}",
+            shapes.len()
         ),
         of: name.to_owned(),
         points: points.rows() as u64,
