@@ -15,6 +15,7 @@ mod monotone;
 mod report;
 mod results;
 mod statistics;
+mod student;
 mod study;
 mod summary;
 mod truth;

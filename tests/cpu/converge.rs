@@ -248,7 +248,7 @@ fn a_missing_truth_is_measured_and_said() {
             uncertainty > 0.0 && truth.floor() > uncertainty,
             "{truth:?}"
         );
-        // 1.96 standard errors of 16 means: of twice as many, nearly all.
+        // The 95 % interval of 16 means: of twice as wide ones, nearly all.
         assert!(
             (truth.value - 1.0 / 3.0).abs() < 2.0 * truth.floor(),
             "{truth:?}"
