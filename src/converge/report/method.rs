@@ -60,8 +60,9 @@ fn paragraphs(replicates: u32) -> String {
          follow, between two counts by interpolation of logarithms; the interval of its time is \
          that of the error. Two samplers tie where these intervals overlap. Times hold for this \
          device with what else it had to do.</p>\n\
-         <p>Beside this page are results.json and results.csv with every number, and the figures \
-         as SVG and PNG.</p>\n",
+         <p>The command writes results.json and results.csv with every number, and the figures as \
+         SVG and PNG, into the folder of its report, with this page. Where the page alone was \
+         handed on, they are not beside it.</p>\n",
         grouped(RESAMPLES.into()),
         grouped(CHECKED as i64),
     )

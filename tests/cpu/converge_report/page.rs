@@ -132,6 +132,14 @@ fn what_limits_the_numbers_is_said() {
     assert!(!clean.contains("class=\"notes\"") && !clean.contains("class=\"failed\""));
 }
 
+/// The page may stand alone: it does not say what lies beside it.
+#[test]
+fn files_are_said_to_be_those_of_the_command() {
+    let page = page_of(&plain());
+    says(&page, &["The command writes results.json and results.csv"]);
+    assert!(!page.contains("Beside this page"));
+}
+
 fn estimators() -> Results {
     let with = |name, sampler, slope| Series {
         estimator: Some(name),
