@@ -159,21 +159,38 @@ fn measured(
     engine: &Engine,
     study: &Study,
     setting: Setting,
-    kept: Option<&mut Kept>,
+    mut kept: Option<&mut Kept>,
 ) -> Result<Results> {
     let path: Option<PathBuf> = kept.as_ref().map(|kept| kept.path().to_owned());
     let bar = progress::cells(study.cells() as u64);
     interrupt::clean_up();
-    let results = converge::run(engine, study, setting, kept, &mut |name, done, total| {
+    let watch = &mut |name: &str, done, total| {
         bar.set_position(done);
         bar.set_message(name.to_owned());
         interrupt::stop(done, total)
-    });
+    };
+    let results = converge::run(engine, study, setting, kept.as_deref_mut(), watch);
     bar.finish_and_clear();
+    if let Some(line) = kept.and_then(|kept| outdated(kept)) {
+        eprintln!("corput: {line}");
+    }
     results.map_err(|error| match (error, path) {
         (Error::Interrupted { done, total }, Some(path)) => Error::Paused { done, total, path },
         (error, _) => error,
     })
+}
+
+/// That cells were there, and were measured anew.
+fn outdated(kept: &Kept) -> Option<String> {
+    let (number, was) = match kept.outdated() {
+        0 => return None,
+        1 => ("1 cell".to_owned(), "was"),
+        many => (format!("{many} cells"), "were"),
+    };
+    let path = kept.path().display();
+    Some(format!(
+        "{number} of {path} {was} of other kernels or of another version: measured anew"
+    ))
 }
 
 fn warnings(results: &Results) -> Vec<String> {

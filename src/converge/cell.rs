@@ -5,7 +5,7 @@ use crate::bulk;
 use crate::catalog::{Problem, Request, Sampler};
 use crate::estimate::Estimate;
 use crate::kernels::Estimator;
-use crate::vulkan::{Device, Timing};
+use crate::vulkan::{Device, DeviceKind, Timing};
 use crate::{Error, Result};
 use std::sync::Arc;
 use std::time::Instant;
@@ -146,6 +146,31 @@ impl Engine {
             cell.points.push(point);
         }
         Ok(cell)
+    }
+
+    /// What a cell's numbers depend on besides the study: the version of corput, and the kernel
+    /// that the cell runs. The CPU's reference has the bits of the kernels, and the tests demand
+    /// it, so that it changes with that one.
+    ///
+    /// # Errors
+    /// Those of a sampler that has none of the counts.
+    pub fn program(&self, study: &Study, row: &Row, sampler: Sampler) -> Result<String> {
+        let cpu = match self {
+            Self::Device(device) => device.info().kind == DeviceKind::Cpu,
+            Self::Cpu => true,
+        };
+        let dimensions = row.problem.dimensions();
+        let mut refusal = None;
+        for &count in study.counts() {
+            match sampler.request(dimensions, count, study.seed()) {
+                Ok(first) => {
+                    let kernel = Estimator::fingerprint(&row.problem, &first, cpu)?;
+                    return Ok(format!("{} {kernel}", env!("CARGO_PKG_VERSION")));
+                }
+                Err(error) => refusal = Some(error),
+            }
+        }
+        refusal.map_or(Ok(String::new()), Err)
     }
 
     fn summer(&self, problem: &Problem, request: &Request) -> Result<Summer> {

@@ -39,8 +39,8 @@ use crate::Result;
 /// stops the study between dispatches.
 pub type Watch<'a> = dyn FnMut(&str, u64, u64) -> Result<()> + 'a;
 
-/// Measures a study. Cells that `kept` has are taken from there, and new ones go there as
-/// soon as they are finished.
+/// Measures a study. Cells that `kept` has from the same program are taken from there, and new
+/// ones go there as soon as they are finished.
 ///
 /// # Errors
 /// Those of the device and of `watch`; cells that were finished before are in `kept`.
@@ -59,14 +59,15 @@ pub fn run(
         for &sampler in &row.samplers {
             let name = format!("{}, {}", row.name, sampler.name());
             let key = key(study, row, sampler, &setting.device);
-            let known = kept.as_ref().and_then(|kept| kept.get(&key)).cloned();
+            let program = engine.program(study, row, sampler)?;
+            let known = kept.as_mut().and_then(|kept| kept.get(&key, &program));
             let cell = match known {
                 Some(cell) => cell,
                 None => {
                     let mut stop = || watch(&name, series.len() as u64, total);
                     let cell = engine.measure(study, row, sampler, &mut stop)?;
                     if let Some(kept) = &mut kept {
-                        kept.add(&key, &cell)?;
+                        kept.add(&key, &program, &cell)?;
                     }
                     cell
                 }

@@ -302,6 +302,63 @@ fn a_study_that_was_cut_off_ends_with_the_same_errors() {
     assert_eq!(again.document(), resumed.document());
 }
 
+/// A cell that another kernel summed is measured anew, the others are taken.
+#[test]
+fn a_changed_kernel_is_not_mixed_with_old_cells() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cells.jsonl");
+    let samplers = ["random", "halton", "sobol:owen"];
+    let study = study(vec![row("disk-step", &samplers)], [16, 256], 4);
+    let goes_on = |outdated: u64| {
+        let mut kept = Kept::open(&path).unwrap();
+        let setting = Setting::new(&study, "cpu".into(), "test".into());
+        let watch = &mut |_: &str, _, _| Ok(());
+        let results = converge::run(&Engine::Cpu, &study, setting, Some(&mut kept), watch);
+        assert_eq!(kept.outdated(), outdated);
+        results.unwrap().document()
+    };
+    let first = goes_on(0);
+    assert_eq!(goes_on(0), first);
+    // As if the kernel of Halton's points had been another.
+    let text = std::fs::read_to_string(&path).unwrap();
+    let program = |sampler: &str| {
+        let row = &study.rows()[0];
+        let program = Engine::Cpu.program(&study, row, self::sampler(sampler));
+        program.unwrap_or_else(|error| panic!("{error}"))
+    };
+    let (version, kernel) = (env!("CARGO_PKG_VERSION"), program("halton"));
+    assert!(kernel.starts_with(version) && kernel.len() == version.len() + 65);
+    assert_eq!(text.matches(&kernel).count(), 1);
+    assert_ne!(kernel, program("random"));
+    std::fs::write(
+        &path,
+        text.replace(&kernel, &format!("{version} {:064}", 0)),
+    )
+    .unwrap();
+    let again = goes_on(1);
+    for place in [0, 2] {
+        assert_eq!(again["series"][place], first["series"][place]);
+    }
+    let seconds = |document: &serde_json::Value| document["series"][1]["points"][3].clone();
+    assert_eq!(seconds(&again)["means"], seconds(&first)["means"]);
+    assert_ne!(seconds(&again), seconds(&first), "times of another run");
+    assert_eq!(goes_on(0), again);
+}
+
+/// A word of a kernel that can run, and a value of its constants, are in its fingerprint.
+#[test]
+fn fingerprints_tell_kernels_apart() {
+    use corput::kernels::{fingerprint, spirv};
+    let words = spirv("estimate").unwrap_or_else(|error| panic!("{error}"));
+    let whole = fingerprint(&words, &[(0, 64)]);
+    assert_eq!(whole, fingerprint(&words, &[(0, 64)]));
+    assert_ne!(whole, fingerprint(&words, &[(0, 32)]));
+    let mut other = words.clone();
+    // The generator's mark, which no pruning removes.
+    other[2] ^= 1;
+    assert_ne!(whole, fingerprint(&other, &[(0, 64)]));
+}
+
 /// The table without its columns of times, which are the last four.
 fn without_times(results: &Results) -> Vec<String> {
     let line = |line: &str| {
