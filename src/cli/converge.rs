@@ -236,9 +236,8 @@ fn text(results: &Results) -> String {
         let Some(first) = group.first() else { continue };
         let truth = &first.truth;
         lines.push(format!(
-            "\n{integrand}, {} dimension{}: {} {}; floor {:.1e}",
-            first.dimensions,
-            if first.dimensions == 1 { "" } else { "s" },
+            "\n{integrand}, {}: {} {}; floor {:.1e}",
+            dimensions(&group),
             match truth.uncertainty {
                 None => format!("integral {}", truth.value),
                 Some(half) => format!("no known integral, reference {} +- {half:.1e}", truth.value),
@@ -258,6 +257,17 @@ fn text(results: &Results) -> String {
         );
     }
     lines.join("\n")
+}
+
+/// "2 dimensions", or "2 to 3 dimensions" where estimators differ.
+fn dimensions(group: &[&Series]) -> String {
+    let all = || group.iter().map(|one| one.dimensions);
+    let (least, most) = (all().min().unwrap_or(0), all().max().unwrap_or(0));
+    match (least, most) {
+        (1, 1) => "1 dimension".to_owned(),
+        _ if least == most => format!("{least} dimensions"),
+        _ => format!("{least} to {most} dimensions"),
+    }
 }
 
 fn table(group: &[&Series], targets: &[f64]) -> Table {

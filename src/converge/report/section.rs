@@ -34,11 +34,13 @@ fn facts(group: &[&Series]) -> String {
     let Some(first) = group.first() else {
         return String::new();
     };
-    let dimensions = match first.dimensions {
-        1 => "1 dimension".to_owned(),
-        many => format!("{many} dimensions"),
+    // Estimators may differ, as one that also chooses a technique.
+    let alike = group.iter().all(|one| one.dimensions == first.dimensions);
+    let within = match alike {
+        true => format!(", in {}", dimensions(first)),
+        false => String::new(),
     };
-    let mut text = format!("<p>{}, in {dimensions}.", escape(first.summary));
+    let mut text = format!("<p>{}{within}.", escape(first.summary));
     for (estimator, series) in group_by_estimator(group) {
         let Some(one) = series.first() else { continue };
         let truth = &one.truth;
@@ -46,7 +48,10 @@ fn facts(group: &[&Series]) -> String {
             None => format!("The integral is {}", truth.value),
             Some(half) => format!("The reference is {} ± {}", truth.value, scientific(half)),
         };
-        let of = estimator.map_or(String::new(), |name| format!(" of estimator {name}"));
+        let of = estimator.map_or(String::new(), |name| match alike {
+            true => format!(" of estimator {name}"),
+            false => format!(" of estimator {name}, in {},", dimensions(one)),
+        });
         let unit = match one.truth.value {
             0.0 => "; errors are absolute, since the integral is 0",
             _ => "",
@@ -62,6 +67,13 @@ fn facts(group: &[&Series]) -> String {
         text += &escape(&format!(" {integral}; the floor{of} is {floor}{unit}."));
     }
     text + "</p>\n"
+}
+
+fn dimensions(series: &Series) -> String {
+    match series.dimensions {
+        1 => "1 dimension".to_owned(),
+        many => format!("{many} dimensions"),
+    }
 }
 
 /// What a reader must know before believing a number.

@@ -10,7 +10,7 @@ fn summary(page: &str) -> &str {
     &page[start..start + length]
 }
 
-fn says(page: &str, words: &[&str]) {
+pub fn says(page: &str, words: &[&str]) {
     for word in words {
         assert!(page.contains(word), "the page does not say `{word}`");
     }
@@ -140,7 +140,33 @@ fn files_are_said_to_be_those_of_the_command() {
     assert!(!page.contains("Beside this page"));
 }
 
-fn estimators() -> Results {
+/// Estimators that take other dimensions are not said to take the first one's.
+#[test]
+fn dimensions_are_those_of_the_estimator() {
+    let mut study = estimators();
+    let text = page_of(&study);
+    says(
+        &text,
+        &[
+            "a function, in 2 dimensions.",
+            "the floor of estimator mis is",
+        ],
+    );
+    for one in &mut study.series {
+        one.dimensions += u32::from(one.estimator == Some("mis"));
+    }
+    let text = page_of(&study);
+    says(
+        &text,
+        &[
+            "<p>a function. The",
+            "the floor of estimator cosine, in 2 dimensions, is",
+            "the floor of estimator mis, in 3 dimensions, is",
+        ],
+    );
+}
+
+pub fn estimators() -> Results {
     let with = |name, sampler, slope| Series {
         estimator: Some(name),
         ..series("light", sampler, cell(slope, true), true)
