@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
 /// Name and version of the form of [`Results::document`], which `docs/schemas` describes.
-pub const SCHEMA: &str = "corput-converge/1";
+pub const SCHEMA: &str = "corput-converge/2";
 
 /// How a study was run, so that it can be run again.
 #[derive(Clone, Debug, PartialEq)]
@@ -137,7 +137,8 @@ impl Results {
         self.series.iter().map(|one| one.analysis.not_finite).sum()
     }
 
-    /// Everything, as `docs/schemas/converge-1.json` describes it.
+    /// Everything, as `docs/schemas/converge-2.json` describes it, of no files: a report names
+    /// its own.
     #[must_use]
     pub fn document(&self) -> Value {
         let setting = &self.setting;
@@ -151,6 +152,7 @@ impl Results {
             "seed": setting.seed,
             "targets": setting.targets,
             "not_finite": self.not_finite(),
+            "files": [],
             "series": self.series.iter().map(series).collect::<Vec<_>>(),
             "standings": self.standings(),
         })

@@ -1,5 +1,7 @@
 //! The report of a study: its page, figures and document.
 
+#[path = "converge_report/folder.rs"]
+mod folder;
 #[path = "converge_report/page.rs"]
 mod page;
 #[path = "converge_report/schema.rs"]

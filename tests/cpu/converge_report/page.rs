@@ -23,13 +23,13 @@ fn files_are_those_of_the_study_and_the_same_again() {
     assert_eq!(
         names,
         [
-            "results.json",
-            "results.csv",
             "01-one-time.svg",
             "01-one-time.png",
             "01-one-points.svg",
             "01-one-points.png",
+            "results.csv",
             "report.html",
+            "results.json",
         ]
     );
     assert_eq!(files, written(&plain()));

@@ -63,7 +63,7 @@ fn a_report_is_whole_and_leaves_no_cells_behind() {
                 --device cpu --report out";
     desk.run(line).expect(0, &["report.html"]);
     let json = document(&desk.bytes("out/results.json"));
-    assert_eq!(json["schema"], "corput-converge/1");
+    assert_eq!(json["schema"], "corput-converge/2");
     assert_eq!(
         json["command"],
         format!("corput {line}").replace("                ", "")
