@@ -1,17 +1,20 @@
 //! Error against work: samplers with their intervals, the targets, and the floor.
 
 mod frame;
+mod guides;
+mod key;
 mod level;
 
 use crate::error::Result;
-use crate::plot::axis::guide;
 use crate::plot::ends::{End, spread};
 use crate::plot::palette::{class, colour};
 use crate::plot::refuse;
 use crate::plot::room::Room;
-use crate::plot::svg::{Anchor, Canvas, INK, QUIET};
+use crate::plot::svg::{Anchor, Canvas, INK};
 use crate::plot::text;
 use frame::{Frame, LEFT};
+use guides::guides;
+pub use key::{Key, key};
 use level::levels;
 
 /// The most curves of a figure: as many as there are colours.
@@ -109,15 +112,10 @@ const LABEL_SIZE: f64 = 12.0;
 const LABEL_GAP: f64 = 12.0;
 /// From a name's marker to the name.
 const MARKER: f64 = 16.0;
-const SMALL: f64 = 10.5;
+const SMALL: f64 = 11.5;
 /// Beyond so many decades below all errors the floor, and beyond all errors a target, has no
 /// place on the axis.
 const APART: f64 = 2.0;
-const GUIDES: [(&str, f64); 3] = [
-    ("slope −1/2", -0.5),
-    ("slope −1", -1.0),
-    ("slope −3/2", -1.5),
-];
 
 /// Error against work, both logarithmic, as SVG with a class for each curve
 /// ([`dark_rules`](super::dark_rules)). A floor far below all errors is drawn at the lower
@@ -155,14 +153,9 @@ pub fn work_precision(curves: &[Curve], style: &WorkPrecisionStyle<'_>) -> Resul
         );
     }
     let names: Vec<String> = curves.iter().map(|curve| curve.label()).collect();
-    let widest = names.iter().map(|name| text::width(name, LABEL_SIZE));
-    let names_width = widest.fold(0.0, f64::max);
     let frame = Frame::new(&curves, style);
 
-    let mut canvas = Canvas::new(
-        LEFT + width + LABEL_GAP + MARKER + names_width + 8.0,
-        frame.bottom + 46.0,
-    );
+    let mut canvas = Canvas::new(page_width(&names, style), frame.bottom + 46.0);
     frame.draw(&mut canvas, style);
     for curve in &curves {
         let (hue, class) = (curve.hue, class(curve.hue));
@@ -177,9 +170,16 @@ pub fn work_precision(curves: &[Curve], style: &WorkPrecisionStyle<'_>) -> Resul
     for level in &levels {
         room.line(&[(LEFT, level.at), (LEFT + width, level.at)]);
     }
-    guides(&mut canvas, &curves, style, &frame, &mut room);
+    let guides = guides(&curves, style, &frame);
+    for guide in &guides {
+        room.line(&guide.ends);
+    }
+    // Words of levels have few places, those of guides any along the line.
     for level in &levels {
         level.draw(&mut canvas, width, &mut room);
+    }
+    for guide in &guides {
+        guide.draw(&mut canvas, LEFT + width, frame.bottom, &mut room);
     }
 
     let labels = names.iter().zip(&ends).zip(&curves);

@@ -3,7 +3,9 @@
 use super::words::{error, group_by_estimator, number};
 use crate::Result;
 use crate::converge::{Results, Series, Statistic};
-use crate::plot::{Curve, MAX_CURVES, Measured, Work, WorkPrecisionStyle, work_precision};
+use crate::plot::{
+    Curve, Key, MAX_CURVES, Measured, Work, WorkPrecisionStyle, key, work_precision,
+};
 
 /// A figure of error against one kind of work.
 pub struct Figure {
@@ -11,6 +13,8 @@ pub struct Figure {
     pub name: String,
     /// The figure.
     pub svg: String,
+    /// The names of its curves.
+    pub key: Key,
 }
 
 /// Error against time and against points, of the same series.
@@ -187,6 +191,7 @@ fn pair(
         figures.push(Figure {
             name: format!("{:02}-{}", index + 1, parts.join("-")),
             svg: work_precision(&curves, &style)?,
+            key: key(&curves, &style),
         });
     }
     Ok(Pair { figures, caption })

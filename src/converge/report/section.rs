@@ -1,6 +1,6 @@
 //! The part of the page on one integrand.
 
-use super::figures::{Pair, relative};
+use super::figures::{Figure, Pair, relative};
 use super::words::{error, escape, group_by_estimator, table, target, time};
 use crate::converge::{Series, Statistic};
 use crate::plot::{duration, grouped, scientific};
@@ -18,15 +18,31 @@ pub fn section(integrand: &str, group: &[&Series], pairs: &[Pair], targets: &[f6
     }
     for pair in pairs {
         text += "<figure>\n<div class=\"pair\">\n";
-        text.extend(pair.figures.iter().map(|figure| figure.svg.as_str()));
+        text.extend(pair.figures.iter().map(view));
         text += &format!(
-            "</div>\n<figcaption>{}</figcaption>\n</figure>\n",
+            "</div>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+            pair.figures.first().map_or(String::new(), names),
             escape(&pair.caption)
         );
     }
     text += &errors(integrand, group);
     text += &times(integrand, group, targets);
     text + "</section>\n"
+}
+
+/// A figure in a box, which cuts the names off where the page is narrow.
+fn view(figure: &Figure) -> String {
+    format!(
+        "<div class=\"view\" style=\"--across:{:.3}\">\n{}</div>\n",
+        figure.key.across, figure.svg
+    )
+}
+
+/// The names of a pair's curves, for narrow pages.
+fn names(figure: &Figure) -> String {
+    let entry = |(mark, name): &(String, String)| format!("<li>{mark} {}</li>\n", escape(name));
+    let entries: String = figure.key.entries.iter().map(entry).collect();
+    format!("<ul class=\"key\">\n{entries}</ul>\n")
 }
 
 /// What it is, its integral, and its floor.
