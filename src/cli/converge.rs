@@ -286,14 +286,15 @@ fn table(group: &[&Series], targets: &[f64]) -> Table {
             continue;
         };
         let relative = |value: f64| value / one.scale();
+        let few = if last.few_hits() { ", few hits" } else { "" };
         let error = match analysis.random {
             true => format!(
-                "{:.2e} ({:.1e} to {:.1e})",
+                "{:.2e} ({:.1e} to {:.1e}{few})",
                 relative(last.error.value),
                 relative(last.error.low),
                 relative(last.error.high)
             ),
-            false => format!("{:.2e} (one run)", relative(last.error.value)),
+            false => format!("{:.2e} (one run{few})", relative(last.error.value)),
         };
         let slope = match (analysis.slope, analysis.slope_has_interval) {
             (Some(s), true) => format!("{:.2} ({:.2} to {:.2})", s.value, s.low, s.high),

@@ -39,6 +39,8 @@ pub struct Point {
     pub count: u64,
     /// The mean of each replicate: one alone of a sampler that is not random.
     pub means: Vec<f64>,
+    /// The sample variance of the terms of each; NaN of one term.
+    pub variances: Vec<f64>,
     /// Nanoseconds on the device of each dispatch that summed one replicate, warm; on the
     /// CPU, of each sum.
     pub device_ns: Vec<f64>,
@@ -118,6 +120,7 @@ impl Engine {
             let mut point = Point {
                 count,
                 means: Vec::new(),
+                variances: Vec::new(),
                 device_ns: Vec::new(),
                 host_ns: Vec::new(),
             };
@@ -142,6 +145,10 @@ impl Engine {
             point.means = sums
                 .iter()
                 .map(|sum| sum.mean().unwrap_or(f64::NAN))
+                .collect();
+            point.variances = sums
+                .iter()
+                .map(|sum| sum.variance().unwrap_or(f64::NAN))
                 .collect();
             cell.points.push(point);
         }

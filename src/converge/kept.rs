@@ -142,11 +142,13 @@ pub fn key(study: &Study, row: &Row, sampler: Sampler, device: &str) -> String {
 }
 
 fn document(cell: &Cell) -> Value {
+    let bits = |values: &[f64]| -> Vec<u64> { values.iter().map(|one| one.to_bits()).collect() };
     let point = |point: &Point| {
         json!({
             "count": point.count,
-            // A mean that is no number has no JSON.
-            "means": point.means.iter().map(|mean| mean.to_bits()).collect::<Vec<_>>(),
+            // What is no number has no JSON.
+            "means": bits(&point.means),
+            "variances": bits(&point.variances),
             "device_ns": point.device_ns,
             "host_ns": point.host_ns,
         })
@@ -166,12 +168,15 @@ fn read(line: &str) -> Option<Line> {
     let numbers = |value: &Value| -> Option<Vec<f64>> {
         value.as_array()?.iter().map(Value::as_f64).collect()
     };
+    let bits = |value: &Value| -> Option<Vec<f64>> {
+        let words = value.as_array()?.iter().map(Value::as_u64);
+        words.map(|word| word.map(f64::from_bits)).collect()
+    };
     let point = |value: &Value| -> Option<Point> {
-        let bits = value.get("means")?.as_array()?.iter().map(Value::as_u64);
-        let means: Option<Vec<u64>> = bits.collect();
         Some(Point {
             count: value.get("count")?.as_u64()?,
-            means: means?.into_iter().map(f64::from_bits).collect(),
+            means: bits(value.get("means")?)?,
+            variances: bits(value.get("variances")?)?,
             device_ns: numbers(value.get("device_ns")?)?,
             host_ns: numbers(value.get("host_ns")?)?,
         })
@@ -216,6 +221,7 @@ mod tests {
             points: vec![Point {
                 count: 16,
                 means: vec![mean, 1.0 / 3.0],
+                variances: vec![f64::INFINITY, 1.0 / 7.0],
                 device_ns: vec![1234.5],
                 host_ns: vec![0.1 + 0.2],
             }],

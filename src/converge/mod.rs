@@ -7,8 +7,10 @@
 
 mod analysis;
 mod cell;
+mod counts;
 mod file;
 mod floor;
+mod hits;
 mod kept;
 mod monotone;
 #[cfg(feature = "images")]
@@ -22,8 +24,10 @@ mod truth;
 
 pub use analysis::{Analysis, ErrorAt, Reached};
 pub use cell::{Cell, Engine, Point};
+pub use counts::SlopeCounts;
 pub use file::{DEFAULT, parse, read};
 pub use floor::{Floor, floor};
+pub use hits::Rarity;
 pub use kept::{Kept, key};
 #[cfg(feature = "images")]
 pub use report::write;
@@ -34,6 +38,7 @@ pub use summary::{Standing, standings};
 pub use truth::Truth;
 
 use crate::Result;
+use crate::catalog::Sampler;
 
 /// Hears of each cell and dispatch: the cell's name, cells done, and all cells. Its error
 /// stops the study between dispatches.
@@ -56,6 +61,7 @@ pub fn run(
     for row in study.rows() {
         let mut stop = || watch(&row.name, series.len() as u64, total);
         let truth = Truth::of(engine, study, row, &mut stop)?;
+        let mut cells: Vec<(Sampler, Cell)> = Vec::new();
         for &sampler in &row.samplers {
             let name = format!("{}, {}", row.name, sampler.name());
             let key = key(study, row, sampler, &setting.device);
@@ -64,7 +70,8 @@ pub fn run(
             let cell = match known {
                 Some(cell) => cell,
                 None => {
-                    let mut stop = || watch(&name, series.len() as u64, total);
+                    let done = (series.len() + cells.len()) as u64;
+                    let mut stop = || watch(&name, done, total);
                     let cell = engine.measure(study, row, sampler, &mut stop)?;
                     if let Some(kept) = &mut kept {
                         kept.add(&key, &program, &cell)?;
@@ -72,9 +79,15 @@ pub fn run(
                     cell
                 }
             };
-            series.push(Series::new(row, sampler, truth, cell));
-            watch(&name, series.len() as u64, total)?;
+            cells.push((sampler, cell));
+            watch(&name, (series.len() + cells.len()) as u64, total)?;
         }
+        let random = cells.iter().filter(|(sampler, _)| sampler.is_random());
+        let rarity = Rarity::of(random.map(|(_, cell)| cell), &truth, study.replicates());
+        let made = cells
+            .into_iter()
+            .map(|(sampler, cell)| Series::new(row, sampler, truth, cell, rarity));
+        series.extend(made);
     }
     Ok(Results { setting, series })
 }

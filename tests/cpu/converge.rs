@@ -219,6 +219,43 @@ fn means_have_no_bias() {
     assert!(expected > 500, "{expected}");
 }
 
+/// A peak that fills a 400th of the square: few points meet it, and slopes leave their counts
+/// out, whatever the sampler; of x^2 all points tell.
+#[test]
+fn few_hits_are_told_and_left_out() {
+    let problem = Problem::parse("gaussian-peak:d=2,sigma=0.02").unwrap();
+    let peak = Row {
+        name: "peak".into(),
+        problem: problem.with_estimator("uniform").unwrap(),
+        samplers: vec![sampler("random"), sampler("halton"), sampler("sobol:owen")],
+    };
+    let plain = row("x-squared", &["random", "halton"]);
+    let found = results(&study(vec![peak, plain], [16, 1 << 14], 16));
+    for series in &found.series {
+        let analysis = &series.analysis;
+        let few = analysis.errors.iter().filter(|at| at.few_hits()).count();
+        let counts = analysis.slope_counts;
+        assert_eq!(
+            counts.fitted + counts.small + counts.few_hits + counts.near_floor,
+            11,
+            "{}",
+            series.label()
+        );
+        match series.integrand.as_str() {
+            "peak" => {
+                let last = analysis.errors.last().unwrap();
+                let share = last.hits.unwrap() / (16.0 * last.count as f64);
+                // (integral of f^2)^2 / integral of f^4 = 2 pi sigma^2.
+                assert!((1.2e-3..5e-3).contains(&share), "{share:e}");
+                assert!((7..=9).contains(&few), "{few}");
+                assert_eq!(counts.small, 2);
+                assert_eq!(counts.few_hits, few as u64 - 2);
+            }
+            _ => assert_eq!((few, counts.few_hits), (0, 0), "{:?}", analysis.errors),
+        }
+    }
+}
+
 /// The same without the randomisation: the bias of a fixed sequence would be found.
 #[test]
 fn a_bias_is_found() {

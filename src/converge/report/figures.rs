@@ -2,7 +2,7 @@
 
 use super::words::{error, group_by_estimator, number};
 use crate::Result;
-use crate::converge::{Results, Series, Statistic};
+use crate::converge::{ErrorAt, Results, Series, Statistic};
 use crate::plot::{
     Curve, Key, MAX_CURVES, Measured, Work, WorkPrecisionStyle, key, work_precision,
 };
@@ -160,6 +160,12 @@ fn pair(
     }
     caption += " Bands are 95 % intervals; dashed lines are samplers without randomisation, of \
                 one run each.";
+    let faint = drawn
+        .iter()
+        .any(|(series, ..)| series.analysis.errors.iter().any(ErrorAt::few_hits));
+    if faint {
+        caption += " Dotted and faint: too few hits for an interval.";
+    }
     let floor = entries.iter().map(|(series, ..)| floor(series));
     let floor = floor.fold(0.0, f64::max);
     let mut figures = Vec::new();
@@ -217,6 +223,7 @@ pub fn relative(series: &Series) -> impl Iterator<Item = Measured> {
         error: at.error.value / scale,
         low: at.error.low / scale,
         high: at.error.high / scale,
+        faint: at.few_hits(),
     })
 }
 

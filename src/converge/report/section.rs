@@ -2,6 +2,7 @@
 
 use super::figures::{Figure, Pair, relative};
 use super::words::{error, escape, group_by_estimator, table, target, time};
+use crate::converge::hits::ENOUGH;
 use crate::converge::{Series, Statistic};
 use crate::plot::{duration, grouped, scientific};
 
@@ -112,6 +113,7 @@ fn notes(group: &[&Series]) -> Vec<String> {
             scientific(half)
         ));
     }
+    notes.extend(few_hits(group));
     for series in group {
         let name = series.label();
         let missing = series.analysis.not_finite;
@@ -133,6 +135,22 @@ fn notes(group: &[&Series]) -> Vec<String> {
         }
     }
     notes
+}
+
+/// Which errors too few points speak for: a sentence for each estimator.
+fn few_hits(group: &[&Series]) -> Vec<String> {
+    let sentence = |(estimator, series): (Option<&str>, Vec<&Series>)| {
+        let errors = series.iter().flat_map(|one| &one.analysis.errors);
+        let most = errors.filter(|at| at.few_hits()).map(|at| at.count).max()?;
+        let name = estimator.map_or(String::new(), |name| format!("{name}: "));
+        Some(format!(
+            "{name}fewer than {ENOUGH} effective hits to {} points, or all replicates missed the \
+             same: intervals are too narrow there, and no slope is fitted.",
+            grouped(most as i64)
+        ))
+    };
+    let estimators = group_by_estimator(group).into_iter();
+    estimators.filter_map(sentence).collect()
 }
 
 fn errors(integrand: &str, group: &[&Series]) -> String {

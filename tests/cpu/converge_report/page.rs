@@ -108,7 +108,7 @@ fn what_limits_the_numbers_is_said() {
     one.cell.points[3].means[2] = f64::NAN;
     one.cell.refused = vec![(16, "no such set".into()), (32, "nor this".into())];
     one.cell.warnings = vec!["be careful".into()];
-    one.analysis = Analysis::new(&one.cell, &one.truth, true, Statistic::MedianAbsolute);
+    one.analysis = Analysis::new(&one.cell, &one.truth, true, Statistic::MedianAbsolute, None);
     let page = page_of(&study);
     says(
         &page,
@@ -228,7 +228,7 @@ fn what_is_not_drawn_is_said() {
     for point in &mut flat.cell.points {
         point.means = vec![0.5; 8];
     }
-    flat.analysis = Analysis::new(&flat.cell, &flat.truth, true, Statistic::Rmse);
+    flat.analysis = Analysis::new(&flat.cell, &flat.truth, true, Statistic::Rmse, None);
     many.truncate(1);
     many.push(flat.clone());
     let page = page_of(&results(many));

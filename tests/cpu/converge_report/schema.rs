@@ -142,7 +142,7 @@ fn what_is_rare_is_as_the_schema_says() {
         }
         let statistic = corput::converge::Statistic::MedianAbsolute;
         let (cell, truth) = (&series.cell, &series.truth);
-        series.analysis = corput::converge::Analysis::new(cell, truth, true, statistic);
+        series.analysis = corput::converge::Analysis::new(cell, truth, true, statistic, None);
     }
     assert_eq!(check(&document(&study)), Vec::<String>::new());
     let empty = document(&results(Vec::new()));

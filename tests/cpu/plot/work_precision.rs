@@ -14,6 +14,7 @@ fn curve(name: &str, hue: usize, slope: f64) -> Curve {
             error,
             low: 0.8 * error,
             high: 1.3 * error,
+            faint: false,
         }
     };
     Curve {
@@ -167,6 +168,7 @@ fn extreme_errors_are_drawn_or_refused() {
         error,
         low,
         high,
+        faint: false,
     };
     for points in [
         vec![point(16.0, 1e-3, 0.0, f64::INFINITY)],
@@ -240,6 +242,32 @@ fn names_of_steep_curves_are_apart() {
         }
     }
     assert_eq!(tried, 160);
+}
+
+/// A step is dotted where one of its ends has an interval that says too little.
+#[test]
+fn what_says_too_little_is_faint() {
+    let mut one = curve("random", 0, -0.5);
+    for point in &mut one.points[..3] {
+        point.faint = true;
+    }
+    let svg = work_precision(&[one.clone()], &STYLE).unwrap();
+    saved("work-faint", &svg);
+    let dotted: Vec<&str> = svg
+        .lines()
+        .filter(|line| line.contains("stroke-dasharray=\"1.5 3\""))
+        .collect();
+    assert_eq!(dotted.len(), 1);
+    // Three points and the one after them.
+    assert_eq!(dotted[0].matches('L').count(), 3);
+    // Its band, its line and its markers.
+    assert_eq!(svg.matches("opacity=\"0.45\"").count(), 3);
+    assert_eq!(svg.matches("fill-opacity").count(), 2);
+    for point in &mut one.points {
+        point.faint = false;
+    }
+    let whole = work_precision(&[one], &STYLE).unwrap();
+    assert!(!whole.contains("1.5 3") && !whole.contains("0.45"));
 }
 
 #[test]
