@@ -39,7 +39,9 @@ pub use png::to_png;
 pub use scatter::{ScatterStyle, points_and_directions, scatter, scatter_directions};
 pub use sheet::{SheetStyle, Stack, View, sheet};
 pub use tradeoff::{Tradeoff, TradeoffStyle, tradeoff};
-pub use work_precision::{Curve, MAX_CURVES, Measured, Work, WorkPrecisionStyle, work_precision};
+pub use work_precision::{
+    Curve, Key, MAX_CURVES, Measured, Work, WorkPrecisionStyle, key, work_precision,
+};
 
 use crate::error::{Error, Result};
 

@@ -159,21 +159,38 @@ fn measured(
     engine: &Engine,
     study: &Study,
     setting: Setting,
-    kept: Option<&mut Kept>,
+    mut kept: Option<&mut Kept>,
 ) -> Result<Results> {
     let path: Option<PathBuf> = kept.as_ref().map(|kept| kept.path().to_owned());
     let bar = progress::cells(study.cells() as u64);
     interrupt::clean_up();
-    let results = converge::run(engine, study, setting, kept, &mut |name, done, total| {
+    let watch = &mut |name: &str, done, total| {
         bar.set_position(done);
         bar.set_message(name.to_owned());
         interrupt::stop(done, total)
-    });
+    };
+    let results = converge::run(engine, study, setting, kept.as_deref_mut(), watch);
     bar.finish_and_clear();
+    if let Some(line) = kept.and_then(|kept| outdated(kept)) {
+        eprintln!("corput: {line}");
+    }
     results.map_err(|error| match (error, path) {
         (Error::Interrupted { done, total }, Some(path)) => Error::Paused { done, total, path },
         (error, _) => error,
     })
+}
+
+/// That cells were there, and were measured anew.
+fn outdated(kept: &Kept) -> Option<String> {
+    let (number, was) = match kept.outdated() {
+        0 => return None,
+        1 => ("1 cell".to_owned(), "was"),
+        many => (format!("{many} cells"), "were"),
+    };
+    let path = kept.path().display();
+    Some(format!(
+        "{number} of {path} {was} of other kernels or of another version: measured anew"
+    ))
 }
 
 fn warnings(results: &Results) -> Vec<String> {
@@ -219,9 +236,8 @@ fn text(results: &Results) -> String {
         let Some(first) = group.first() else { continue };
         let truth = &first.truth;
         lines.push(format!(
-            "\n{integrand}, {} dimension{}: {} {}; floor {:.1e}",
-            first.dimensions,
-            if first.dimensions == 1 { "" } else { "s" },
+            "\n{integrand}, {}: {} {}; floor {:.1e}",
+            dimensions(&group),
             match truth.uncertainty {
                 None => format!("integral {}", truth.value),
                 Some(half) => format!("no known integral, reference {} +- {half:.1e}", truth.value),
@@ -243,6 +259,17 @@ fn text(results: &Results) -> String {
     lines.join("\n")
 }
 
+/// "2 dimensions", or "2 to 3 dimensions" where estimators differ.
+fn dimensions(group: &[&Series]) -> String {
+    let all = || group.iter().map(|one| one.dimensions);
+    let (least, most) = (all().min().unwrap_or(0), all().max().unwrap_or(0));
+    match (least, most) {
+        (1, 1) => "1 dimension".to_owned(),
+        _ if least == most => format!("{least} dimensions"),
+        _ => format!("{least} to {most} dimensions"),
+    }
+}
+
 fn table(group: &[&Series], targets: &[f64]) -> Table {
     let mut table = Table::new();
     let mut head = vec![
@@ -259,14 +286,15 @@ fn table(group: &[&Series], targets: &[f64]) -> Table {
             continue;
         };
         let relative = |value: f64| value / one.scale();
+        let few = if last.few_hits() { ", few hits" } else { "" };
         let error = match analysis.random {
             true => format!(
-                "{:.2e} ({:.1e} to {:.1e})",
+                "{:.2e} ({:.1e} to {:.1e}{few})",
                 relative(last.error.value),
                 relative(last.error.low),
                 relative(last.error.high)
             ),
-            false => format!("{:.2e} (one run)", relative(last.error.value)),
+            false => format!("{:.2e} (one run{few})", relative(last.error.value)),
         };
         let slope = match (analysis.slope, analysis.slope_has_interval) {
             (Some(s), true) => format!("{:.2} ({:.2} to {:.2})", s.value, s.low, s.high),

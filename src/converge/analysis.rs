@@ -1,6 +1,8 @@
 //! What a cell's means and times come to: errors with intervals, a slope, times to errors.
 
 use super::cell::{Cell, Point};
+use super::counts::SlopeCounts;
+use super::hits::{ENOUGH, Rarity, missed};
 use super::monotone::rising;
 use super::statistics::{Interval, Statistic, fit, median, quantile, slope};
 use super::truth::Truth;
@@ -20,11 +22,13 @@ pub struct Analysis {
     pub random: bool,
     /// By count, rising.
     pub errors: Vec<ErrorAt>,
-    /// The slope over the counts from 64 on whose errors are above ten floors; its ends are
-    /// those of the value where the sampler is not random.
+    /// The slope over the counts from 64 on whose hits are not few, and whose errors are
+    /// above ten floors; its ends are those of the value where the sampler is not random.
     pub slope: Option<Interval>,
     /// Whether `slope` has an interval.
     pub slope_has_interval: bool,
+    /// Which counts it is of.
+    pub slope_counts: SlopeCounts,
     /// Means that are not finite.
     pub not_finite: u64,
 }
@@ -46,6 +50,18 @@ pub struct ErrorAt {
     pub host_seconds: f64,
     /// Whether it is above ten floors.
     pub above_floor: bool,
+    /// Points of all replicates on which the error hangs; `None` where that is not known.
+    pub hits: Option<f64>,
+    /// Whether the mean over the replicates is off by more than they differ: all missed the same.
+    pub missed: bool,
+}
+
+impl ErrorAt {
+    /// Whether so few points speak for the error that its interval is too narrow.
+    #[must_use]
+    pub fn few_hits(&self) -> bool {
+        self.missed || self.hits.is_some_and(|hits| hits < ENOUGH)
+    }
 }
 
 /// When an error is reached.
@@ -59,9 +75,17 @@ pub struct Reached {
 }
 
 impl Analysis {
-    /// Of a cell.
+    /// Of a cell; `rarity` is that of its integrand and estimator, if it is known. A median does
+    /// not hang on rare terms, and heeds none.
     #[must_use]
-    pub fn new(cell: &Cell, truth: &Truth, random: bool, statistic: Statistic) -> Self {
+    pub fn new(
+        cell: &Cell,
+        truth: &Truth,
+        random: bool,
+        statistic: Statistic,
+        rarity: Option<Rarity>,
+    ) -> Self {
+        let rarity = rarity.filter(|_| statistic == Statistic::Rmse);
         let errors: Vec<Vec<f64>> = cell
             .points
             .iter()
@@ -75,9 +99,22 @@ impl Analysis {
             .points
             .iter()
             .zip(&errors)
-            .map(|(point, errors)| error_at(point, errors, truth, statistic))
+            .map(|(point, errors)| {
+                let at = error_at(point, errors, truth, statistic);
+                ErrorAt {
+                    hits: rarity.map(|rarity| rarity.hits(point.count)),
+                    missed: statistic == Statistic::Rmse
+                        && missed(
+                            at.bias,
+                            at.bias_error,
+                            errors.len(),
+                            ABOVE_FLOOR * truth.floor(),
+                        ),
+                    ..at
+                }
+            })
             .collect();
-        let fitted = |one: &ErrorAt| one.above_floor && one.count >= SLOPE_FROM;
+        let fitted = |one: &ErrorAt| one.above_floor && one.count >= SLOPE_FROM && !one.few_hits();
         let counts: Vec<u64> = at
             .iter()
             .filter(|one| fitted(one))
@@ -97,11 +134,20 @@ impl Analysis {
         Self {
             statistic,
             random,
+            slope_counts: SlopeCounts::of(&at),
             errors: at,
             slope: with_interval.or_else(bare),
             slope_has_interval: with_interval.is_some(),
             not_finite: cell.points.iter().map(not_finite).sum(),
         }
+    }
+
+    /// Whether an error at a number of points has too few hits: by the measured count that is the
+    /// nearest above.
+    #[must_use]
+    pub fn few_hits_at(&self, count: f64) -> bool {
+        let above = self.errors.iter().find(|one| one.count as f64 >= count);
+        above.is_some_and(ErrorAt::few_hits)
     }
 
     /// When the error comes below a target for good, for all counts that follow; by
@@ -177,6 +223,8 @@ fn error_at(point: &Point, errors: &[f64], truth: &Truth, statistic: Statistic) 
         },
         host_seconds: 1e-9 * median(point.host_ns.clone()),
         above_floor: error.value > ABOVE_FLOOR * truth.floor(),
+        hits: None,
+        missed: false,
     }
 }
 
@@ -204,6 +252,7 @@ mod tests {
         let point = |log: u32| Point {
             count: 1 << log,
             means: (0..32).map(|r| 0.5 + error(1 << log, r)).collect(),
+            variances: vec![1.0; 32],
             device_ns: vec![1e3 * f64::from(1 << log); 5],
             host_ns: vec![2e3 * f64::from(1 << log); 5],
         };
@@ -227,7 +276,7 @@ mod tests {
 
     #[test]
     fn slope_and_time_of_a_known_law() {
-        let made = Analysis::new(&cell(alternating), &truth(0.0), true, Statistic::Rmse);
+        let made = Analysis::new(&cell(alternating), &truth(0.0), true, Statistic::Rmse, None);
         let slope = made.slope.unwrap();
         assert!(
             (slope.value + 1.0).abs() < 1e-9 && made.slope_has_interval,
@@ -245,8 +294,8 @@ mod tests {
     fn errors_near_the_floor_do_not_bend_the_slope() {
         let level = 1e-4;
         let flat = |count, r| alternating(count, r) + if r % 2 == 0 { level } else { -level };
-        let bent = Analysis::new(&cell(flat), &truth(0.0), true, Statistic::Rmse);
-        let kept = Analysis::new(&cell(flat), &truth(level), true, Statistic::Rmse);
+        let bent = Analysis::new(&cell(flat), &truth(0.0), true, Statistic::Rmse, None);
+        let kept = Analysis::new(&cell(flat), &truth(level), true, Statistic::Rmse, None);
         let (bent, kept) = (bent.slope.unwrap().value, kept.slope.unwrap().value);
         // 1/n + 1e-4 by least squares, to 2^16 and to 2^10.
         assert!(
@@ -265,7 +314,7 @@ mod tests {
                 alternating(count, r)
             }
         };
-        let made = Analysis::new(&cell(lucky), &truth(0.0), true, Statistic::Rmse);
+        let made = Analysis::new(&cell(lucky), &truth(0.0), true, Statistic::Rmse, None);
         assert!(made.reached(1e-3).unwrap().count > 512.0);
     }
 
@@ -279,7 +328,7 @@ mod tests {
                 *mean += 0.02 * f64::from(r) * (*mean - 0.5);
             }
         }
-        let made = Analysis::new(&odd, &truth(0.0), true, Statistic::Rmse);
+        let made = Analysis::new(&odd, &truth(0.0), true, Statistic::Rmse, None);
         let time = made.reached(1e-3).unwrap().seconds;
         assert!(
             time.low <= time.value && time.value <= time.high,
@@ -298,8 +347,61 @@ mod tests {
                 alternating(count, r)
             }
         };
-        let made = Analysis::new(&cell(holed), &truth(0.0), true, Statistic::Rmse);
+        let made = Analysis::new(&cell(holed), &truth(0.0), true, Statistic::Rmse, None);
         assert_eq!(made.not_finite, 13);
         assert!(made.errors[0].error.value.is_finite());
+    }
+
+    /// Replicates that agree on a wrong mean have missed what is rare, however many hits others
+    /// count.
+    #[test]
+    fn what_all_replicates_missed_is_told_by_the_truth() {
+        let low = |count, r| 1e-3 * alternating(count, r) - 1e-4;
+        let of = |cell: &Cell, floor, statistic| {
+            let made = Analysis::new(cell, &truth(floor), true, statistic, None);
+            made.errors.iter().filter(|at| at.few_hits()).count()
+        };
+        let every = cell(low).points.len();
+        assert_eq!(of(&cell(low), 0.0, Statistic::Rmse), every);
+        assert_eq!(of(&cell(low), 1e-4, Statistic::Rmse), 0);
+        assert_eq!(of(&cell(low), 0.0, Statistic::MedianAbsolute), 0);
+        assert_eq!(of(&cell(alternating), 0.0, Statistic::Rmse), 0);
+        // One of many standard errors is chance.
+        let near = |count, r| alternating(count, r) + 0.5 / count as f64;
+        assert_eq!(of(&cell(near), 0.0, Statistic::Rmse), 0);
+    }
+
+    #[test]
+    fn counts_of_few_hits_do_not_bend_the_slope() {
+        // As of a peak that hardly a point meets: the error does not fall.
+        let missed = |count, r| match count < 1024 {
+            true => 512.0 * alternating(1024, r),
+            false => alternating(count, r),
+        };
+        let of = |rarity| {
+            let cell = cell(missed);
+            Analysis::new(&cell, &truth(1e-6), true, Statistic::Rmse, rarity)
+        };
+        // 100 hits of 32 replicates at 2^9.64 points.
+        let rarity = Some(Rarity {
+            share: 100.0 / 32.0 / 800.0,
+            replicates: 32,
+        });
+        let (bent, kept) = (of(None), of(rarity));
+        assert!((bent.slope.unwrap().value + 1.0).abs() > 0.1);
+        assert!((kept.slope.unwrap().value + 1.0).abs() < 1e-9);
+        // 16 and 32; 64 to 512; 2^10 to 2^16, of which all are above 1e-5.
+        let counts = SlopeCounts {
+            fitted: 7,
+            small: 2,
+            few_hits: 4,
+            near_floor: 0,
+        };
+        assert_eq!(kept.slope_counts, counts);
+        assert!(kept.few_hits_at(300.0) && !kept.few_hits_at(1000.0));
+        assert_eq!(bent.slope_counts.few_hits, 0);
+        let (cell, truth) = (cell(missed), truth(1e-6));
+        let median = Analysis::new(&cell, &truth, true, Statistic::MedianAbsolute, rarity);
+        assert_eq!(median.slope_counts.few_hits, 0);
     }
 }

@@ -5,7 +5,7 @@ use crate::bulk;
 use crate::catalog::{Problem, Request, Sampler};
 use crate::estimate::Estimate;
 use crate::kernels::Estimator;
-use crate::vulkan::{Device, Timing};
+use crate::vulkan::{Device, DeviceKind, Timing};
 use crate::{Error, Result};
 use std::sync::Arc;
 use std::time::Instant;
@@ -39,6 +39,8 @@ pub struct Point {
     pub count: u64,
     /// The mean of each replicate: one alone of a sampler that is not random.
     pub means: Vec<f64>,
+    /// The sample variance of the terms of each; NaN of one term.
+    pub variances: Vec<f64>,
     /// Nanoseconds on the device of each dispatch that summed one replicate, warm; on the
     /// CPU, of each sum.
     pub device_ns: Vec<f64>,
@@ -118,6 +120,7 @@ impl Engine {
             let mut point = Point {
                 count,
                 means: Vec::new(),
+                variances: Vec::new(),
                 device_ns: Vec::new(),
                 host_ns: Vec::new(),
             };
@@ -143,9 +146,38 @@ impl Engine {
                 .iter()
                 .map(|sum| sum.mean().unwrap_or(f64::NAN))
                 .collect();
+            point.variances = sums
+                .iter()
+                .map(|sum| sum.variance().unwrap_or(f64::NAN))
+                .collect();
             cell.points.push(point);
         }
         Ok(cell)
+    }
+
+    /// What a cell's numbers depend on besides the study: the version of corput, and the kernel
+    /// that the cell runs. The CPU's reference has the bits of the kernels, and the tests demand
+    /// it, so that it changes with that one.
+    ///
+    /// # Errors
+    /// Those of a sampler that has none of the counts.
+    pub fn program(&self, study: &Study, row: &Row, sampler: Sampler) -> Result<String> {
+        let cpu = match self {
+            Self::Device(device) => device.info().kind == DeviceKind::Cpu,
+            Self::Cpu => true,
+        };
+        let dimensions = row.problem.dimensions();
+        let mut refusal = None;
+        for &count in study.counts() {
+            match sampler.request(dimensions, count, study.seed()) {
+                Ok(first) => {
+                    let kernel = Estimator::fingerprint(&row.problem, &first, cpu)?;
+                    return Ok(format!("{} {kernel}", env!("CARGO_PKG_VERSION")));
+                }
+                Err(error) => refusal = Some(error),
+            }
+        }
+        refusal.map_or(Ok(String::new()), Err)
     }
 
     fn summer(&self, problem: &Problem, request: &Request) -> Result<Summer> {

@@ -1,11 +1,13 @@
 //! Finished cells in a file, so that a study that was cut off goes on from there.
 //!
-//! A line of JSON a cell, under a key that names all on which its numbers depend; lines of
-//! other keys are left alone. A line that was cut off while it was written is no line.
+//! A line of JSON a cell, under a key that names what was measured, and the program that
+//! measured it; lines of other keys are left alone, and cells of other programs are measured
+//! anew. A line that was cut off while it was written is no line.
 
 use super::cell::{Cell, Point};
 use super::study::{Row, Study};
 use crate::catalog::Sampler;
+use crate::report::hexadecimal;
 use crate::{Error, Result};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
@@ -17,7 +19,15 @@ use std::path::{Path, PathBuf};
 pub struct Kept {
     path: PathBuf,
     file: File,
-    cells: Vec<(String, Cell)>,
+    lines: Vec<Line>,
+    outdated: u64,
+}
+
+/// A cell with what names it.
+struct Line {
+    key: String,
+    program: String,
+    cell: Cell,
 }
 
 impl Kept {
@@ -47,7 +57,8 @@ impl Kept {
         Ok(Self {
             path: path.to_owned(),
             file,
-            cells: text.lines().filter_map(read).collect(),
+            lines: text.lines().filter_map(read).collect(),
+            outdated: 0,
         })
     }
 
@@ -57,27 +68,41 @@ impl Kept {
         &self.path
     }
 
-    /// The cell of this key.
+    /// The cell of this key, if this program measured it ([`Engine::program`]).
+    ///
+    /// [`Engine::program`]: super::Engine::program
+    pub fn get(&mut self, key: &str, program: &str) -> Option<Cell> {
+        let mut found = self.lines.iter().filter(|line| line.key == key).peekable();
+        let known = found.peek().is_some();
+        let cell = found.find(|line| line.program == program);
+        self.outdated += u64::from(known && cell.is_none());
+        cell.map(|line| line.cell.clone())
+    }
+
+    /// How many cells were asked for that only other programs had measured.
     #[must_use]
-    pub fn get(&self, key: &str) -> Option<&Cell> {
-        let found = self.cells.iter().find(|(one, _)| one == key);
-        found.map(|(_, cell)| cell)
+    pub fn outdated(&self) -> u64 {
+        self.outdated
     }
 
     /// Adds a finished cell.
     ///
     /// # Errors
     /// [`Error::Io`] where it cannot be written.
-    pub fn add(&mut self, key: &str, cell: &Cell) -> Result<()> {
-        let line = format!("{}\n", json!({ "key": key, "cell": document(cell) }));
+    pub fn add(&mut self, key: &str, program: &str, cell: &Cell) -> Result<()> {
+        let value = json!({ "key": key, "program": program, "cell": document(cell) });
         self.file
-            .write_all(line.as_bytes())
+            .write_all(format!("{value}\n").as_bytes())
             .map_err(|source| Error::Io {
                 action: "write",
                 path: self.path.clone(),
                 source,
             })?;
-        self.cells.push((key.to_owned(), cell.clone()));
+        self.lines.push(Line {
+            key: key.to_owned(),
+            program: program.to_owned(),
+            cell: cell.clone(),
+        });
         Ok(())
     }
 
@@ -94,13 +119,12 @@ impl Kept {
     }
 }
 
-/// All on which the numbers of a cell depend, as a hash: what is summed, by whom, and which
-/// program. `device` names the device and its driver.
+/// What a cell measures, as a hash: what is summed, and by whom. `device` names the device and
+/// its driver.
 #[must_use]
 pub fn key(study: &Study, row: &Row, sampler: Sampler, device: &str) -> String {
     let mut hash = Sha256::new();
     let settings = json!({
-        "version": env!("CARGO_PKG_VERSION"),
         "device": device,
         "integrand": row.problem.integrand().name,
         "dimensions": row.problem.dimensions(),
@@ -114,16 +138,17 @@ pub fn key(study: &Study, row: &Row, sampler: Sampler, device: &str) -> String {
     hash.update(settings.to_string());
     // What a map holds is in none of the numbers.
     hash.update(bytemuck::cast_slice::<u32, u8>(row.problem.tables()));
-    let digest = hash.finalize();
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    hexadecimal(&hash.finalize())
 }
 
 fn document(cell: &Cell) -> Value {
+    let bits = |values: &[f64]| -> Vec<u64> { values.iter().map(|one| one.to_bits()).collect() };
     let point = |point: &Point| {
         json!({
             "count": point.count,
-            // A mean that is no number has no JSON.
-            "means": point.means.iter().map(|mean| mean.to_bits()).collect::<Vec<_>>(),
+            // What is no number has no JSON.
+            "means": bits(&point.means),
+            "variances": bits(&point.variances),
             "device_ns": point.device_ns,
             "host_ns": point.host_ns,
         })
@@ -137,18 +162,21 @@ fn document(cell: &Cell) -> Value {
     })
 }
 
-fn read(line: &str) -> Option<(String, Cell)> {
+fn read(line: &str) -> Option<Line> {
     let value: Value = serde_json::from_str(line).ok()?;
     let cell = value.get("cell")?;
     let numbers = |value: &Value| -> Option<Vec<f64>> {
         value.as_array()?.iter().map(Value::as_f64).collect()
     };
+    let bits = |value: &Value| -> Option<Vec<f64>> {
+        let words = value.as_array()?.iter().map(Value::as_u64);
+        words.map(|word| word.map(f64::from_bits)).collect()
+    };
     let point = |value: &Value| -> Option<Point> {
-        let bits = value.get("means")?.as_array()?.iter().map(Value::as_u64);
-        let means: Option<Vec<u64>> = bits.collect();
         Some(Point {
             count: value.get("count")?.as_u64()?,
-            means: means?.into_iter().map(f64::from_bits).collect(),
+            means: bits(value.get("means")?)?,
+            variances: bits(value.get("variances")?)?,
             device_ns: numbers(value.get("device_ns")?)?,
             host_ns: numbers(value.get("host_ns")?)?,
         })
@@ -174,7 +202,12 @@ fn read(line: &str) -> Option<(String, Cell)> {
         refused: refusals?,
         warnings: warnings?,
     };
-    Some((value.get("key")?.as_str()?.to_owned(), cell))
+    let text = |name: &str| Some(value.get(name)?.as_str()?.to_owned());
+    Some(Line {
+        key: text("key")?,
+        program: text("program")?,
+        cell,
+    })
 }
 
 #[cfg(test)]
@@ -188,6 +221,7 @@ mod tests {
             points: vec![Point {
                 count: 16,
                 means: vec![mean, 1.0 / 3.0],
+                variances: vec![f64::INFINITY, 1.0 / 7.0],
                 device_ns: vec![1234.5],
                 host_ns: vec![0.1 + 0.2],
             }],
@@ -201,19 +235,36 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("cells.jsonl");
         let mut kept = Kept::open(&path).unwrap();
-        kept.add("a", &cell(0.1)).unwrap();
-        kept.add("b", &cell(f64::NAN)).unwrap();
+        kept.add("a", "1", &cell(0.1)).unwrap();
+        kept.add("b", "1", &cell(f64::NAN)).unwrap();
         let whole = std::fs::read_to_string(&path).unwrap();
         std::fs::write(&path, &whole[..whole.len() - 9]).unwrap();
 
         let mut again = Kept::open(&path).unwrap();
-        assert_eq!(again.get("a"), Some(&cell(0.1)));
-        assert_eq!(again.get("b"), None);
-        again.add("b", &cell(f64::NAN)).unwrap();
-        let third = Kept::open(&path).unwrap();
-        assert!(third.get("b").unwrap().points[0].means[0].is_nan());
-        assert_eq!(third.get("a"), Some(&cell(0.1)));
+        assert_eq!(again.get("a", "1"), Some(cell(0.1)));
+        assert_eq!(again.get("b", "1"), None);
+        again.add("b", "1", &cell(f64::NAN)).unwrap();
+        let mut third = Kept::open(&path).unwrap();
+        assert!(third.get("b", "1").unwrap().points[0].means[0].is_nan());
+        assert_eq!(third.get("a", "1"), Some(cell(0.1)));
+        assert_eq!(again.outdated() + third.outdated(), 0);
         third.remove().unwrap();
         assert!(!path.exists());
+    }
+
+    #[test]
+    fn cells_of_another_program_are_not_taken() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cells.jsonl");
+        let mut kept = Kept::open(&path).unwrap();
+        kept.add("a", "1", &cell(0.1)).unwrap();
+        assert_eq!(kept.get("a", "2"), None);
+        assert_eq!(kept.outdated(), 1);
+        kept.add("a", "2", &cell(0.2)).unwrap();
+        let mut again = Kept::open(&path).unwrap();
+        assert_eq!(again.get("a", "2"), Some(cell(0.2)));
+        assert_eq!(again.get("a", "1"), Some(cell(0.1)));
+        assert_eq!(again.get("b", "1"), None);
+        assert_eq!(again.outdated(), 0);
     }
 }

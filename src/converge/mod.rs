@@ -7,22 +7,27 @@
 
 mod analysis;
 mod cell;
+mod counts;
 mod file;
 mod floor;
+mod hits;
 mod kept;
 mod monotone;
 #[cfg(feature = "images")]
 mod report;
 mod results;
 mod statistics;
+mod student;
 mod study;
 mod summary;
 mod truth;
 
 pub use analysis::{Analysis, ErrorAt, Reached};
 pub use cell::{Cell, Engine, Point};
+pub use counts::SlopeCounts;
 pub use file::{DEFAULT, parse, read};
 pub use floor::{Floor, floor};
+pub use hits::Rarity;
 pub use kept::{Kept, key};
 #[cfg(feature = "images")]
 pub use report::write;
@@ -33,13 +38,14 @@ pub use summary::{Standing, standings};
 pub use truth::Truth;
 
 use crate::Result;
+use crate::catalog::Sampler;
 
 /// Hears of each cell and dispatch: the cell's name, cells done, and all cells. Its error
 /// stops the study between dispatches.
 pub type Watch<'a> = dyn FnMut(&str, u64, u64) -> Result<()> + 'a;
 
-/// Measures a study. Cells that `kept` has are taken from there, and new ones go there as
-/// soon as they are finished.
+/// Measures a study. Cells that `kept` has from the same program are taken from there, and new
+/// ones go there as soon as they are finished.
 ///
 /// # Errors
 /// Those of the device and of `watch`; cells that were finished before are in `kept`.
@@ -55,24 +61,33 @@ pub fn run(
     for row in study.rows() {
         let mut stop = || watch(&row.name, series.len() as u64, total);
         let truth = Truth::of(engine, study, row, &mut stop)?;
+        let mut cells: Vec<(Sampler, Cell)> = Vec::new();
         for &sampler in &row.samplers {
             let name = format!("{}, {}", row.name, sampler.name());
             let key = key(study, row, sampler, &setting.device);
-            let known = kept.as_ref().and_then(|kept| kept.get(&key)).cloned();
+            let program = engine.program(study, row, sampler)?;
+            let known = kept.as_mut().and_then(|kept| kept.get(&key, &program));
             let cell = match known {
                 Some(cell) => cell,
                 None => {
-                    let mut stop = || watch(&name, series.len() as u64, total);
+                    let done = (series.len() + cells.len()) as u64;
+                    let mut stop = || watch(&name, done, total);
                     let cell = engine.measure(study, row, sampler, &mut stop)?;
                     if let Some(kept) = &mut kept {
-                        kept.add(&key, &cell)?;
+                        kept.add(&key, &program, &cell)?;
                     }
                     cell
                 }
             };
-            series.push(Series::new(row, sampler, truth, cell));
-            watch(&name, series.len() as u64, total)?;
+            cells.push((sampler, cell));
+            watch(&name, (series.len() + cells.len()) as u64, total)?;
         }
+        let random = cells.iter().filter(|(sampler, _)| sampler.is_random());
+        let rarity = Rarity::of(random.map(|(_, cell)| cell), &truth, study.replicates());
+        let made = cells
+            .into_iter()
+            .map(|(sampler, cell)| Series::new(row, sampler, truth, cell, rarity));
+        series.extend(made);
     }
     Ok(Results { setting, series })
 }

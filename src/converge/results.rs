@@ -2,6 +2,7 @@
 
 use super::analysis::{Analysis, ErrorAt};
 use super::cell::Cell;
+use super::hits::Rarity;
 use super::statistics::{Interval, Statistic};
 use super::study::{Row, Study};
 use super::summary::standings;
@@ -11,7 +12,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
 /// Name and version of the form of [`Results::document`], which `docs/schemas` describes.
-pub const SCHEMA: &str = "corput-converge/1";
+pub const SCHEMA: &str = "corput-converge/2";
 
 /// How a study was run, so that it can be run again.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,9 +68,15 @@ pub struct Series {
 }
 
 impl Series {
-    /// Of a cell.
+    /// Of a cell; `rarity` is that of the row.
     #[must_use]
-    pub fn new(row: &Row, sampler: Sampler, truth: Truth, cell: Cell) -> Self {
+    pub fn new(
+        row: &Row,
+        sampler: Sampler,
+        truth: Truth,
+        cell: Cell,
+        rarity: Option<Rarity>,
+    ) -> Self {
         let statistic = match row.problem.integrand().finite_variance {
             true => Statistic::Rmse,
             false => Statistic::MedianAbsolute,
@@ -80,7 +87,7 @@ impl Series {
             estimator: row.problem.estimator(),
             dimensions: row.problem.dimensions(),
             sampler: sampler.name(),
-            analysis: Analysis::new(&cell, &truth, sampler.is_random(), statistic),
+            analysis: Analysis::new(&cell, &truth, sampler.is_random(), statistic, rarity),
             truth,
             cell,
         }
@@ -137,7 +144,8 @@ impl Results {
         self.series.iter().map(|one| one.analysis.not_finite).sum()
     }
 
-    /// Everything, as `docs/schemas/converge-1.json` describes it.
+    /// Everything, as `docs/schemas/converge-2.json` describes it, of no files: a report names
+    /// its own.
     #[must_use]
     pub fn document(&self) -> Value {
         let setting = &self.setting;
@@ -151,6 +159,7 @@ impl Results {
             "seed": setting.seed,
             "targets": setting.targets,
             "not_finite": self.not_finite(),
+            "files": [],
             "series": self.series.iter().map(series).collect::<Vec<_>>(),
             "standings": self.standings(),
         })
@@ -186,7 +195,7 @@ impl Results {
     pub fn csv(&self) -> String {
         let mut text = String::from(
             "integrand,dimensions,estimator,sampler,random,count,replicates,truth,floor,statistic,\
-             error,error_low,error_high,relative_error,bias,bias_standard_error,seconds,\
+             error,error_low,error_high,relative_error,bias,bias_standard_error,effective_hits,seconds,\
              seconds_low_quartile,seconds_high_quartile,host_seconds\n",
         );
         for one in &self.series {
@@ -194,7 +203,7 @@ impl Results {
                 // Writing to a String cannot fail.
                 let _ = writeln!(
                     text,
-                    "\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+                    "\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
                     one.integrand.replace('"', "\"\""),
                     one.dimensions,
                     one.estimator.unwrap_or(""),
@@ -211,6 +220,7 @@ impl Results {
                     at.error.value / one.scale(),
                     at.bias,
                     at.bias_error,
+                    at.hits.map_or(String::new(), |hits| hits.to_string()),
                     at.seconds.value,
                     at.seconds.low,
                     at.seconds.high,
@@ -256,6 +266,17 @@ fn series(one: &Series) -> Value {
                 }
             })),
         ),
+        (
+            "slope_counts".to_owned(),
+            json!({
+                "fitted": analysis.slope_counts.fitted,
+                "left_out": {
+                    "below_64_points": analysis.slope_counts.small,
+                    "few_hits": analysis.slope_counts.few_hits,
+                    "near_floor": analysis.slope_counts.near_floor,
+                },
+            }),
+        ),
         ("setup_ms".to_owned(), json!(one.cell.setup_ms)),
         ("first_dispatch_ms".to_owned(), json!(one.cell.first_ms)),
         ("not_finite".to_owned(), json!(analysis.not_finite)),
@@ -271,6 +292,8 @@ fn point_document(at: &ErrorAt, means: &[f64]) -> Value {
         "count": at.count,
         "error": interval(at.error),
         "above_floor": at.above_floor,
+        "effective_hits": at.hits,
+        "few_hits": at.few_hits(),
         "bias": at.bias,
         "bias_standard_error": at.bias_error,
         "seconds": {

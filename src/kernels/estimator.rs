@@ -2,7 +2,7 @@
 
 use super::points::{BUFFER_BYTES, add, table};
 use super::records::{BUSY, BUSY_CPU, FIRST, RECORD, next_chunk, read};
-use super::{groups, pipeline, spirv};
+use super::{fingerprint, groups, pipeline, spirv};
 use crate::catalog::{Problem, Request};
 use crate::estimate::Estimate;
 use crate::interface::{Binding, EstimatePush, Kernel};
@@ -44,6 +44,17 @@ impl Estimator {
         let plan = plan_estimate(&request.columns, id, cpu);
         let words = spirv(plan.kernel.name)?;
         Self::with_module(device, problem, request, plan, &words)
+    }
+
+    /// The [`fingerprint`] of the kernel that [`Self::new`] would run; `cpu` is whether its
+    /// device is a CPU. Takes milliseconds, and no device.
+    ///
+    /// # Errors
+    /// [`Error::UnknownName`] for a kernel that this build lacks.
+    pub fn fingerprint(problem: &Problem, request: &Request, cpu: bool) -> Result<String> {
+        let plan = plan_estimate(&request.columns, problem.id(), cpu);
+        let values = plan.specializations.first().map_or(&[][..], Vec::as_slice);
+        Ok(fingerprint(&spirv(plan.kernel.name)?, values))
     }
 
     /// The same with the general kernel, which every other must equal.

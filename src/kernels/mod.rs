@@ -23,9 +23,11 @@ pub use pixels::PixelEstimator;
 pub use void_and_cluster::VoidAndCluster;
 
 use crate::interface::{KERNELS, Kernel};
+use crate::report::hexadecimal;
 use crate::spirv::prune;
 use crate::vulkan::{Device, Pipeline, PipelineDescription, Probe};
 use crate::{Error, Result};
+use sha2::{Digest, Sha256};
 use std::sync::Arc;
 
 /// The compiled modules, by name.
@@ -96,6 +98,20 @@ pub fn pipeline(
         },
         &uniforms,
     )
+}
+
+/// SHA-256 of what [`pipeline`] hands to the driver: the module without what the constants
+/// switch off, and their values.
+#[must_use]
+pub fn fingerprint(words: &[u32], specialization: &[(u32, u32)]) -> String {
+    let pruned = prune(words, specialization).unwrap_or_else(|_| words.to_vec());
+    let mut hash = Sha256::new();
+    hash.update(bytemuck::cast_slice::<u32, u8>(&pruned));
+    for (id, value) in specialization {
+        hash.update(id.to_le_bytes());
+        hash.update(value.to_le_bytes());
+    }
+    hexadecimal(&hash.finalize())
 }
 
 /// Value of the specialization constant with this name, for a row that has it.

@@ -1,18 +1,23 @@
 //! Error against work: samplers with their intervals, the targets, and the floor.
 
 mod frame;
+mod guides;
+mod key;
 mod level;
+mod runs;
 
 use crate::error::Result;
-use crate::plot::axis::guide;
 use crate::plot::ends::{End, spread};
 use crate::plot::palette::{class, colour};
 use crate::plot::refuse;
 use crate::plot::room::Room;
-use crate::plot::svg::{Anchor, Canvas, INK, QUIET};
+use crate::plot::svg::{Anchor, Canvas, INK};
 use crate::plot::text;
 use frame::{Frame, LEFT};
+use guides::guides;
+pub use key::{Key, key};
 use level::levels;
+use runs::{band, line};
 
 /// The most curves of a figure: as many as there are colours.
 pub const MAX_CURVES: usize = 8;
@@ -28,6 +33,8 @@ pub struct Measured {
     pub low: f64,
     /// The upper one.
     pub high: f64,
+    /// Whether the interval says too little: drawn dotted and faint.
+    pub faint: bool,
 }
 
 /// Errors of rising work.
@@ -109,15 +116,10 @@ const LABEL_SIZE: f64 = 12.0;
 const LABEL_GAP: f64 = 12.0;
 /// From a name's marker to the name.
 const MARKER: f64 = 16.0;
-const SMALL: f64 = 10.5;
+const SMALL: f64 = 11.5;
 /// Beyond so many decades below all errors the floor, and beyond all errors a target, has no
 /// place on the axis.
 const APART: f64 = 2.0;
-const GUIDES: [(&str, f64); 3] = [
-    ("slope −1/2", -0.5),
-    ("slope −1", -1.0),
-    ("slope −3/2", -1.5),
-];
 
 /// Error against work, both logarithmic, as SVG with a class for each curve
 /// ([`dark_rules`](super::dark_rules)). A floor far below all errors is drawn at the lower
@@ -155,18 +157,12 @@ pub fn work_precision(curves: &[Curve], style: &WorkPrecisionStyle<'_>) -> Resul
         );
     }
     let names: Vec<String> = curves.iter().map(|curve| curve.label()).collect();
-    let widest = names.iter().map(|name| text::width(name, LABEL_SIZE));
-    let names_width = widest.fold(0.0, f64::max);
     let frame = Frame::new(&curves, style);
 
-    let mut canvas = Canvas::new(
-        LEFT + width + LABEL_GAP + MARKER + names_width + 8.0,
-        frame.bottom + 46.0,
-    );
+    let mut canvas = Canvas::new(page_width(&names, style), frame.bottom + 46.0);
     frame.draw(&mut canvas, style);
     for curve in &curves {
-        let (hue, class) = (curve.hue, class(curve.hue));
-        canvas.group(&class, |canvas| band(canvas, curve, &frame, colour(hue)));
+        band(&mut canvas, curve, &frame);
     }
     let mut room = Room::default();
     let ends: Vec<(f64, f64)> = curves
@@ -177,9 +173,16 @@ pub fn work_precision(curves: &[Curve], style: &WorkPrecisionStyle<'_>) -> Resul
     for level in &levels {
         room.line(&[(LEFT, level.at), (LEFT + width, level.at)]);
     }
-    guides(&mut canvas, &curves, style, &frame, &mut room);
+    let guides = guides(&curves, style, &frame);
+    for guide in &guides {
+        room.line(&guide.ends);
+    }
+    // Words of levels have few places, those of guides any along the line.
     for level in &levels {
         level.draw(&mut canvas, width, &mut room);
+    }
+    for guide in &guides {
+        guide.draw(&mut canvas, LEFT + width, frame.bottom, &mut room);
     }
 
     let labels = names.iter().zip(&ends).zip(&curves);
@@ -198,74 +201,11 @@ pub fn work_precision(curves: &[Curve], style: &WorkPrecisionStyle<'_>) -> Resul
     Ok(canvas.finish_described(style.title, style.description))
 }
 
-/// The area between the ends of the intervals.
-fn band(canvas: &mut Canvas, curve: &Curve, frame: &Frame, colour: &str) {
-    if curve.one_run {
-        return;
-    }
-    let edge = |end: fn(&Measured) -> f64| {
-        let place = move |one: &Measured| frame.place(one.work, end(one).max(f64::MIN_POSITIVE));
-        curve.drawable().map(place).collect::<Vec<_>>()
-    };
-    let mut corners = edge(|one| one.low);
-    corners.extend(edge(|one| one.high).iter().rev());
-    canvas.band(&corners, colour);
-}
-
-/// The curve with its markers; its last point.
-fn line(canvas: &mut Canvas, curve: &Curve, frame: &Frame, room: &mut Room) -> Option<(f64, f64)> {
-    let placed: Vec<(f64, f64)> = curve
-        .drawable()
-        .map(|one| frame.place(one.work, one.error))
-        .collect();
-    let dash = if curve.one_run { "6 4" } else { "" };
-    canvas.group(&class(curve.hue), |canvas| {
-        canvas.polyline(&placed, colour(curve.hue), 1.7, dash);
-        for (x, y) in &placed {
-            canvas.marker(*x, *y, curve.hue, colour(curve.hue));
-        }
-    });
-    room.line(&placed);
-    placed.last().copied()
-}
-
-/// Power laws from the largest error of the fewest points.
-fn guides(
-    canvas: &mut Canvas,
-    curves: &[&Curve],
-    style: &WorkPrecisionStyle<'_>,
-    frame: &Frame,
-    room: &mut Room,
-) {
-    if style.work != Work::Points {
-        return;
-    }
-    let firsts = curves.iter().filter_map(|curve| curve.drawable().next());
-    let first = firsts.clone().map(|one| one.work).fold(f64::MAX, f64::min);
-    let worst = firsts.map(|one| one.error).fold(0.0, f64::max);
-    for (name, exponent) in GUIDES {
-        let Some(ends) = guide((first, worst), exponent, &frame.x, &frame.y) else {
-            continue;
-        };
-        room.line(&ends);
-        let words = text::width(name, SMALL);
-        // Beside the line, from its end back.
-        let [(x0, y0), (x1, y1)] = ends;
-        let along = (0..12).map(|step| 1.0 - 0.06 * f64::from(step));
-        let places: Vec<(f64, f64)> = along
-            .flat_map(|t| {
-                let (x, y) = (x0 + t * (x1 - x0), y0 + t * (y1 - y0));
-                [(x + 7.0, y - 2.0), (x - words - 7.0, y + 8.0)]
-            })
-            .filter(|(x, y)| x + words < LEFT + style.size[0] && *y < frame.bottom - 4.0)
-            .collect();
-        canvas.group("quiet", |canvas| {
-            canvas.polyline(&ends, "#9a9a9a", 1.0, "2 3");
-            if let Some((x, y)) = room.take(&places, [words, SMALL]) {
-                canvas.text(x, y, Anchor::Start, SMALL, QUIET, name);
-            }
-        });
-    }
+/// The width of a figure with these names.
+fn page_width(names: &[String], style: &WorkPrecisionStyle<'_>) -> f64 {
+    let widest = names.iter().map(|name| text::width(name, LABEL_SIZE));
+    let names_width = widest.fold(0.0, f64::max);
+    LEFT + style.size[0] + LABEL_GAP + MARKER + names_width + 8.0
 }
 
 /// A name beside the axes, with its marker, and a line from the curve's end where it is far.

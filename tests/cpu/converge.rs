@@ -219,6 +219,43 @@ fn means_have_no_bias() {
     assert!(expected > 500, "{expected}");
 }
 
+/// A peak that fills a 400th of the square: few points meet it, and slopes leave their counts
+/// out, whatever the sampler; of x^2 all points tell.
+#[test]
+fn few_hits_are_told_and_left_out() {
+    let problem = Problem::parse("gaussian-peak:d=2,sigma=0.02").unwrap();
+    let peak = Row {
+        name: "peak".into(),
+        problem: problem.with_estimator("uniform").unwrap(),
+        samplers: vec![sampler("random"), sampler("halton"), sampler("sobol:owen")],
+    };
+    let plain = row("x-squared", &["random", "halton"]);
+    let found = results(&study(vec![peak, plain], [16, 1 << 14], 16));
+    for series in &found.series {
+        let analysis = &series.analysis;
+        let few = analysis.errors.iter().filter(|at| at.few_hits()).count();
+        let counts = analysis.slope_counts;
+        assert_eq!(
+            counts.fitted + counts.small + counts.few_hits + counts.near_floor,
+            11,
+            "{}",
+            series.label()
+        );
+        match series.integrand.as_str() {
+            "peak" => {
+                let last = analysis.errors.last().unwrap();
+                let share = last.hits.unwrap() / (16.0 * last.count as f64);
+                // (integral of f^2)^2 / integral of f^4 = 2 pi sigma^2.
+                assert!((1.2e-3..5e-3).contains(&share), "{share:e}");
+                assert!((7..=9).contains(&few), "{few}");
+                assert_eq!(counts.small, 2);
+                assert_eq!(counts.few_hits, few as u64 - 2);
+            }
+            _ => assert_eq!((few, counts.few_hits), (0, 0), "{:?}", analysis.errors),
+        }
+    }
+}
+
 /// The same without the randomisation: the bias of a fixed sequence would be found.
 #[test]
 fn a_bias_is_found() {
@@ -248,7 +285,7 @@ fn a_missing_truth_is_measured_and_said() {
             uncertainty > 0.0 && truth.floor() > uncertainty,
             "{truth:?}"
         );
-        // 1.96 standard errors of 16 means: of twice as many, nearly all.
+        // The 95 % interval of 16 means: of twice as wide ones, nearly all.
         assert!(
             (truth.value - 1.0 / 3.0).abs() < 2.0 * truth.floor(),
             "{truth:?}"
@@ -300,6 +337,63 @@ fn a_study_that_was_cut_off_ends_with_the_same_errors() {
     // And all that is kept is the same, times included.
     let again = goes_on();
     assert_eq!(again.document(), resumed.document());
+}
+
+/// A cell that another kernel summed is measured anew, the others are taken.
+#[test]
+fn a_changed_kernel_is_not_mixed_with_old_cells() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cells.jsonl");
+    let samplers = ["random", "halton", "sobol:owen"];
+    let study = study(vec![row("disk-step", &samplers)], [16, 256], 4);
+    let goes_on = |outdated: u64| {
+        let mut kept = Kept::open(&path).unwrap();
+        let setting = Setting::new(&study, "cpu".into(), "test".into());
+        let watch = &mut |_: &str, _, _| Ok(());
+        let results = converge::run(&Engine::Cpu, &study, setting, Some(&mut kept), watch);
+        assert_eq!(kept.outdated(), outdated);
+        results.unwrap().document()
+    };
+    let first = goes_on(0);
+    assert_eq!(goes_on(0), first);
+    // As if the kernel of Halton's points had been another.
+    let text = std::fs::read_to_string(&path).unwrap();
+    let program = |sampler: &str| {
+        let row = &study.rows()[0];
+        let program = Engine::Cpu.program(&study, row, self::sampler(sampler));
+        program.unwrap_or_else(|error| panic!("{error}"))
+    };
+    let (version, kernel) = (env!("CARGO_PKG_VERSION"), program("halton"));
+    assert!(kernel.starts_with(version) && kernel.len() == version.len() + 65);
+    assert_eq!(text.matches(&kernel).count(), 1);
+    assert_ne!(kernel, program("random"));
+    std::fs::write(
+        &path,
+        text.replace(&kernel, &format!("{version} {:064}", 0)),
+    )
+    .unwrap();
+    let again = goes_on(1);
+    for place in [0, 2] {
+        assert_eq!(again["series"][place], first["series"][place]);
+    }
+    let seconds = |document: &serde_json::Value| document["series"][1]["points"][3].clone();
+    assert_eq!(seconds(&again)["means"], seconds(&first)["means"]);
+    assert_ne!(seconds(&again), seconds(&first), "times of another run");
+    assert_eq!(goes_on(0), again);
+}
+
+/// A word of a kernel that can run, and a value of its constants, are in its fingerprint.
+#[test]
+fn fingerprints_tell_kernels_apart() {
+    use corput::kernels::{fingerprint, spirv};
+    let words = spirv("estimate").unwrap_or_else(|error| panic!("{error}"));
+    let whole = fingerprint(&words, &[(0, 64)]);
+    assert_eq!(whole, fingerprint(&words, &[(0, 64)]));
+    assert_ne!(whole, fingerprint(&words, &[(0, 32)]));
+    let mut other = words.clone();
+    // The generator's mark, which no pruning removes.
+    other[2] ^= 1;
+    assert_ne!(whole, fingerprint(&other, &[(0, 64)]));
 }
 
 /// The table without its columns of times, which are the last four.

@@ -1,5 +1,9 @@
 //! The report of a study: its page, figures and document.
 
+#[path = "converge_report/folder.rs"]
+mod folder;
+#[path = "converge_report/hits.rs"]
+mod hits;
 #[path = "converge_report/page.rs"]
 mod page;
 #[path = "converge_report/schema.rs"]
@@ -20,6 +24,7 @@ fn cell(slope: f64, random: bool) -> Cell {
         Point {
             count,
             means: (0..replicates).map(mean).collect(),
+            variances: vec![0.25; replicates as usize],
             device_ns: vec![2e3 * count as f64; 3],
             host_ns: vec![3e3 * count as f64; 3],
         }
@@ -41,7 +46,7 @@ fn series(integrand: &str, sampler: &str, cell: Cell, random: bool) -> Series {
         estimator: None,
         dimensions: 2,
         sampler: sampler.to_owned(),
-        analysis: Analysis::new(&cell, &truth, random, Statistic::Rmse),
+        analysis: Analysis::new(&cell, &truth, random, Statistic::Rmse, None),
         truth,
         cell,
     }

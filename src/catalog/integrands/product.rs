@@ -38,8 +38,10 @@ pub(super) const INTEGRANDS: &[Integrand] = &[Integrand {
         (&[1.0, 2.0], 1024),
     ],
     summary: "linear factors of declining weight, for hundreds of dimensions",
-    formula: "product of 1 + c_j (x_j - 1/2), c_j = weight / j^decay, j from 1 on",
-    source: "Sobol and Asotsky 2003; Owen 2003",
+    formula: "product of 1 + c_j (x_j - 1/2), c_j = weight / j^decay, j from 1 on; factors and \
+              products are cut, so that means are low by some 3.5e-10 of themselves a dimension, which \
+              is in the floor of converge",
+    source: "of no paper: products of centred linear factors are common tests of many dimensions",
     ..BASE
 }];
 

@@ -2,8 +2,10 @@
 
 use super::words::{error, group_by_estimator, number};
 use crate::Result;
-use crate::converge::{Results, Series, Statistic};
-use crate::plot::{Curve, MAX_CURVES, Measured, Work, WorkPrecisionStyle, work_precision};
+use crate::converge::{ErrorAt, Results, Series, Statistic};
+use crate::plot::{
+    Curve, Key, MAX_CURVES, Measured, Work, WorkPrecisionStyle, key, work_precision,
+};
 
 /// A figure of error against one kind of work.
 pub struct Figure {
@@ -11,6 +13,8 @@ pub struct Figure {
     pub name: String,
     /// The figure.
     pub svg: String,
+    /// The names of its curves.
+    pub key: Key,
 }
 
 /// Error against time and against points, of the same series.
@@ -156,6 +160,12 @@ fn pair(
     }
     caption += " Bands are 95 % intervals; dashed lines are samplers without randomisation, of \
                 one run each.";
+    let faint = drawn
+        .iter()
+        .any(|(series, ..)| series.analysis.errors.iter().any(ErrorAt::few_hits));
+    if faint {
+        caption += " Dotted and faint: too few hits for an interval.";
+    }
     let floor = entries.iter().map(|(series, ..)| floor(series));
     let floor = floor.fold(0.0, f64::max);
     let mut figures = Vec::new();
@@ -187,6 +197,7 @@ fn pair(
         figures.push(Figure {
             name: format!("{:02}-{}", index + 1, parts.join("-")),
             svg: work_precision(&curves, &style)?,
+            key: key(&curves, &style),
         });
     }
     Ok(Pair { figures, caption })
@@ -212,6 +223,7 @@ pub fn relative(series: &Series) -> impl Iterator<Item = Measured> {
         error: at.error.value / scale,
         low: at.error.low / scale,
         high: at.error.high / scale,
+        faint: at.few_hits(),
     })
 }
 

@@ -3,6 +3,7 @@
 use super::words::{escape, target};
 use crate::converge::analysis::{ABOVE_FLOOR, SLOPE_FROM};
 use crate::converge::cell::{CHECKED, REPEATS};
+use crate::converge::hits::{ENOUGH, SURE};
 use crate::converge::statistics::RESAMPLES;
 use crate::converge::{Results, SCHEMA};
 use crate::plot::grouped;
@@ -38,6 +39,7 @@ pub fn method(results: &Results) -> String {
 
 fn paragraphs(replicates: u32) -> String {
     let repeats = REPEATS.min(replicates);
+    let sure = 100.0 * SURE;
     format!(
         "<p><strong>Errors.</strong> Each sampler that is random runs {replicates} times, with \
          the seeds above; the error is the root mean square over these replicates, or the median \
@@ -46,8 +48,18 @@ fn paragraphs(replicates: u32) -> String {
          replicates. A sampler that is not random has one error a count, and no interval: it may \
          be small by chance. Sums are exact, so errors are the same on every device; those of up \
          to {} points were compared with the CPU's.</p>\n\
+         <p><strong>Effective hits.</strong> Where few terms make the variance, as where hardly a \
+         direction meets a light, replicates without them agree on a wrong mean, and the interval \
+         is too narrow: it tells of the terms that came. The hits of a count are its points in \
+         all {replicates} replicates over the kurtosis of the terms, that is, the points that meet \
+         a peak of which all others miss. The kurtosis is that of the random sampler with the most, \
+         by how the variances of its replicates spread at the largest count. Errors of fewer than \
+         {ENOUGH} hits are dotted and faint in figures and marked in tables; medians do not hang on \
+         rare terms, and have none. So are errors where the mean of all replicates is off by more \
+         than Student's {sure} % interval and {ABOVE_FLOOR} floors: all of them missed the same.</p>\n\
          <p><strong>Slopes</strong> are those of log error over log N, by least squares over the \
-         counts from {SLOPE_FROM} on whose errors are above {ABOVE_FLOOR} floors. Their \
+         counts from {SLOPE_FROM} on whose hits are not few, and whose errors are above \
+         {ABOVE_FLOOR} floors; results.json has how many counts were left out. Their \
          intervals resample replicates, each at all counts or at none.</p>\n\
          <p><strong>Floor.</strong> What is left of an error with any number of points: the mean \
          error of the arithmetic of a term and of the grid of 2<sup>-32</sup> on which \
@@ -60,8 +72,9 @@ fn paragraphs(replicates: u32) -> String {
          follow, between two counts by interpolation of logarithms; the interval of its time is \
          that of the error. Two samplers tie where these intervals overlap. Times hold for this \
          device with what else it had to do.</p>\n\
-         <p>Beside this page are results.json and results.csv with every number, and the figures \
-         as SVG and PNG.</p>\n",
+         <p>The command writes results.json and results.csv with every number, and the figures as \
+         SVG and PNG, into the folder of its report, with this page. Where the page alone was \
+         handed on, they are not beside it.</p>\n",
         grouped(RESAMPLES.into()),
         grouped(CHECKED as i64),
     )

@@ -1,5 +1,6 @@
 //! The report of a study: a page, figures, a document and a table.
 
+mod earlier;
 mod figures;
 mod method;
 mod page;
@@ -16,29 +17,26 @@ use std::path::{Path, PathBuf};
 /// Pixels of a PNG for one of its SVG.
 const SCALE: f32 = 2.0;
 
+/// The document of a report.
+const DOCUMENT: &str = "results.json";
+
 /// Writes the report of a study into a folder, which must exist; gives the files, each of which
-/// is replaced whole: `report.html`, the figures as SVG and PNG, `results.json` and
-/// `results.csv`. The same results give the same bytes.
+/// is replaced whole: the figures as SVG and PNG, `results.csv`, `report.html` and
+/// `results.json`, which names them all. Figures that a report before it in this folder names,
+/// and this one does not have, are removed; nothing else is. The same results give the same
+/// bytes.
 ///
 /// # Errors
-/// [`Error::Output`] and [`Error::Io`] for a file that cannot be written.
+/// [`Error::Output`] and [`Error::Io`] for a file that cannot be written, or an old figure that
+/// cannot be removed.
 pub fn write(results: &Results, folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut document =
-        serde_json::to_string_pretty(&results.document()).map_err(|error| Error::Output {
-            path: folder.join("results.json"),
-            problem: error.to_string(),
-            remedy: "report this".into(),
-        })?;
-    document.push('\n');
-    let mut files = Vec::new();
+    let earlier = earlier::figures(folder);
+    let mut names: Vec<String> = Vec::new();
     let mut save = |name: &str, bytes: &[u8]| -> Result<()> {
-        let path = folder.join(name);
-        report::save(&path, bytes)?;
-        files.push(path);
+        report::save(&folder.join(name), bytes)?;
+        names.push(name.to_owned());
         Ok(())
     };
-    save("results.json", document.as_bytes())?;
-    save("results.csv", results.csv().as_bytes())?;
     let mut parts: Vec<(&str, Vec<&Series>, Vec<Pair>)> = Vec::new();
     for (index, (integrand, group)) in results.by_integrand().into_iter().enumerate() {
         let pairs = figures::pairs(results, index, &group)?;
@@ -51,6 +49,28 @@ pub fn write(results: &Results, folder: &Path) -> Result<Vec<PathBuf>> {
         }
         parts.push((integrand, group, pairs));
     }
+    save("results.csv", results.csv().as_bytes())?;
     save("report.html", page::page(results, &parts).as_bytes())?;
-    Ok(files)
+    names.push(DOCUMENT.to_owned());
+    // The document last: until then the one before names the figures that may be left.
+    earlier::remove(folder, &earlier, &names)?;
+    report::save(
+        &folder.join(DOCUMENT),
+        document(results, &names, folder)?.as_bytes(),
+    )?;
+    Ok(names.iter().map(|name| folder.join(name)).collect())
+}
+
+/// The document with the names of the report's files.
+fn document(results: &Results, names: &[String], folder: &Path) -> Result<String> {
+    let mut document = results.document();
+    if let Some(object) = document.as_object_mut() {
+        object.insert("files".to_owned(), names.into());
+    }
+    let text = serde_json::to_string_pretty(&document).map_err(|error| Error::Output {
+        path: folder.join(DOCUMENT),
+        problem: error.to_string(),
+        remedy: "report this".into(),
+    })?;
+    Ok(text + "\n")
 }

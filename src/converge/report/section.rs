@@ -1,7 +1,8 @@
 //! The part of the page on one integrand.
 
-use super::figures::{Pair, relative};
+use super::figures::{Figure, Pair, relative};
 use super::words::{error, escape, group_by_estimator, table, target, time};
+use crate::converge::hits::ENOUGH;
 use crate::converge::{Series, Statistic};
 use crate::plot::{duration, grouped, scientific};
 
@@ -18,9 +19,10 @@ pub fn section(integrand: &str, group: &[&Series], pairs: &[Pair], targets: &[f6
     }
     for pair in pairs {
         text += "<figure>\n<div class=\"pair\">\n";
-        text.extend(pair.figures.iter().map(|figure| figure.svg.as_str()));
+        text.extend(pair.figures.iter().map(view));
         text += &format!(
-            "</div>\n<figcaption>{}</figcaption>\n</figure>\n",
+            "</div>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+            pair.figures.first().map_or(String::new(), names),
             escape(&pair.caption)
         );
     }
@@ -29,16 +31,33 @@ pub fn section(integrand: &str, group: &[&Series], pairs: &[Pair], targets: &[f6
     text + "</section>\n"
 }
 
+/// A figure in a box, which cuts the names off where the page is narrow.
+fn view(figure: &Figure) -> String {
+    format!(
+        "<div class=\"view\" style=\"--across:{:.3}\">\n{}</div>\n",
+        figure.key.across, figure.svg
+    )
+}
+
+/// The names of a pair's curves, for narrow pages.
+fn names(figure: &Figure) -> String {
+    let entry = |(mark, name): &(String, String)| format!("<li>{mark} {}</li>\n", escape(name));
+    let entries: String = figure.key.entries.iter().map(entry).collect();
+    format!("<ul class=\"key\">\n{entries}</ul>\n")
+}
+
 /// What it is, its integral, and its floor.
 fn facts(group: &[&Series]) -> String {
     let Some(first) = group.first() else {
         return String::new();
     };
-    let dimensions = match first.dimensions {
-        1 => "1 dimension".to_owned(),
-        many => format!("{many} dimensions"),
+    // Estimators may differ, as one that also chooses a technique.
+    let alike = group.iter().all(|one| one.dimensions == first.dimensions);
+    let within = match alike {
+        true => format!(", in {}", dimensions(first)),
+        false => String::new(),
     };
-    let mut text = format!("<p>{}, in {dimensions}.", escape(first.summary));
+    let mut text = format!("<p>{}{within}.", escape(first.summary));
     for (estimator, series) in group_by_estimator(group) {
         let Some(one) = series.first() else { continue };
         let truth = &one.truth;
@@ -46,7 +65,10 @@ fn facts(group: &[&Series]) -> String {
             None => format!("The integral is {}", truth.value),
             Some(half) => format!("The reference is {} ± {}", truth.value, scientific(half)),
         };
-        let of = estimator.map_or(String::new(), |name| format!(" of estimator {name}"));
+        let of = estimator.map_or(String::new(), |name| match alike {
+            true => format!(" of estimator {name}"),
+            false => format!(" of estimator {name}, in {},", dimensions(one)),
+        });
         let unit = match one.truth.value {
             0.0 => "; errors are absolute, since the integral is 0",
             _ => "",
@@ -62,6 +84,13 @@ fn facts(group: &[&Series]) -> String {
         text += &escape(&format!(" {integral}; the floor{of} is {floor}{unit}."));
     }
     text + "</p>\n"
+}
+
+fn dimensions(series: &Series) -> String {
+    match series.dimensions {
+        1 => "1 dimension".to_owned(),
+        many => format!("{many} dimensions"),
+    }
 }
 
 /// What a reader must know before believing a number.
@@ -84,6 +113,7 @@ fn notes(group: &[&Series]) -> Vec<String> {
             scientific(half)
         ));
     }
+    notes.extend(few_hits(group));
     for series in group {
         let name = series.label();
         let missing = series.analysis.not_finite;
@@ -105,6 +135,22 @@ fn notes(group: &[&Series]) -> Vec<String> {
         }
     }
     notes
+}
+
+/// Which errors too few points speak for: a sentence for each estimator.
+fn few_hits(group: &[&Series]) -> Vec<String> {
+    let sentence = |(estimator, series): (Option<&str>, Vec<&Series>)| {
+        let errors = series.iter().flat_map(|one| &one.analysis.errors);
+        let most = errors.filter(|at| at.few_hits()).map(|at| at.count).max()?;
+        let name = estimator.map_or(String::new(), |name| format!("{name}: "));
+        Some(format!(
+            "{name}fewer than {ENOUGH} effective hits to {} points, or all replicates missed the \
+             same: intervals are too narrow there, and no slope is fitted.",
+            grouped(most as i64)
+        ))
+    };
+    let estimators = group_by_estimator(group).into_iter();
+    estimators.filter_map(sentence).collect()
 }
 
 fn errors(integrand: &str, group: &[&Series]) -> String {

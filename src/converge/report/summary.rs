@@ -43,14 +43,14 @@ fn sentence(group: &[&Series], target: f64) -> String {
             let mut clauses = vec![format!(
                 "To {} use <strong>{}</strong>: {} with {}",
                 written(target),
-                name(best.series),
+                standing(best),
                 time(best.reached.seconds),
                 points(best.series, best.reached.count),
             )];
             let others = list.iter().skip(1);
             let (ties, others): (Vec<&Standing<'_>>, Vec<_>) = others.partition(|one| one.tied);
             clauses.extend(ties.iter().map(|one| {
-                let name = name(one.series);
+                let name = standing(one);
                 format!("{name} ties")
             }));
             let (slower, faster): (Vec<&Standing<'_>>, Vec<_>) =
@@ -59,7 +59,7 @@ fn sentence(group: &[&Series], target: f64) -> String {
                 clauses.push(slowness(&slower));
             }
             clauses.extend(faster.iter().map(|one| {
-                let (name, faster) = (name(one.series), one.slower.recip());
+                let (name, faster) = (standing(one), one.slower.recip());
                 format!("{name} was {faster:.1} times faster, perhaps by luck")
             }));
             if !missing.is_empty() {
@@ -84,7 +84,7 @@ fn sentence(group: &[&Series], target: f64) -> String {
 /// How many times slower each is: said in full of the first.
 fn slowness(list: &[&Standing<'_>]) -> String {
     let each = list.iter().enumerate().map(|(place, one)| {
-        let name = name(one.series);
+        let name = standing(one);
         let times = match one.slower < 9.95 {
             true => format!("{:.1} times", one.slower),
             false => format!("{:.0} times", one.slower),
@@ -108,6 +108,16 @@ fn name(series: &Series) -> String {
         text += " (one run)";
     }
     escape(&text)
+}
+
+/// The same, and whether it has few hits where it reaches the target.
+fn standing(one: &Standing<'_>) -> String {
+    let few = one.series.analysis.few_hits_at(one.reached.count);
+    let name = name(one.series);
+    match few {
+        true => format!("{name} (few hits)"),
+        false => name,
+    }
 }
 
 fn same(one: &Series, other: &Series) -> bool {

@@ -12,12 +12,16 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// An error with its interval, or with the word that it has none.
+/// An error with its interval, or with the word that it has none; and that few hits speak for it.
 pub fn error(one: &Measured, random: bool) -> String {
     let value = number(one.error);
+    let few = if one.faint { "; few hits" } else { "" };
     match random {
-        true => format!("{value} ({} to {})", number(one.low), number(one.high)),
-        false => format!("{value} (one run)"),
+        true => {
+            let (low, high) = (number(one.low), number(one.high));
+            format!("{value} ({low} to {high}{few})")
+        }
+        false => format!("{value} (one run{few})"),
     }
 }
 

@@ -16,6 +16,26 @@ impl Canvas {
         self.body.push_str("</g>\n");
     }
 
+    /// As `group`, of less weight.
+    pub fn faint_group(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
+        let _ = writeln!(self.body, r#"<g class="{class}" opacity="0.45">"#);
+        draw(self);
+        self.body.push_str("</g>\n");
+    }
+
+    /// A small picture within a line of text, which says what it is.
+    pub fn finish_mark(self) -> String {
+        let Self {
+            width,
+            height,
+            body,
+        } = self;
+        format!(
+            "<svg width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
+             aria-hidden=\"true\">{body}</svg>"
+        )
+    }
+
     /// A translucent area.
     pub fn band(&mut self, corners: &[(f64, f64)], colour: &str) {
         let corners: Vec<String> = corners

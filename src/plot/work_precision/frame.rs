@@ -8,7 +8,7 @@ use crate::plot::svg::{Anchor, Canvas, FAINT, INK};
 /// Left end of the horizontal axis.
 pub const LEFT: f64 = 66.0;
 const TOP: f64 = 12.0;
-const TICK_SIZE: f64 = 11.0;
+const TICK_SIZE: f64 = 11.5;
 const AXIS_SIZE: f64 = 12.0;
 /// Below so many decades, 2 and 5 times a power of ten have ticks too.
 const SHORT: f64 = 2.05;

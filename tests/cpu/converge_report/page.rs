@@ -10,7 +10,7 @@ fn summary(page: &str) -> &str {
     &page[start..start + length]
 }
 
-fn says(page: &str, words: &[&str]) {
+pub fn says(page: &str, words: &[&str]) {
     for word in words {
         assert!(page.contains(word), "the page does not say `{word}`");
     }
@@ -23,13 +23,13 @@ fn files_are_those_of_the_study_and_the_same_again() {
     assert_eq!(
         names,
         [
-            "results.json",
-            "results.csv",
             "01-one-time.svg",
             "01-one-time.png",
             "01-one-points.svg",
             "01-one-points.png",
+            "results.csv",
             "report.html",
+            "results.json",
         ]
     );
     assert_eq!(files, written(&plain()));
@@ -108,7 +108,7 @@ fn what_limits_the_numbers_is_said() {
     one.cell.points[3].means[2] = f64::NAN;
     one.cell.refused = vec![(16, "no such set".into()), (32, "nor this".into())];
     one.cell.warnings = vec!["be careful".into()];
-    one.analysis = Analysis::new(&one.cell, &one.truth, true, Statistic::MedianAbsolute);
+    one.analysis = Analysis::new(&one.cell, &one.truth, true, Statistic::MedianAbsolute, None);
     let page = page_of(&study);
     says(
         &page,
@@ -132,7 +132,41 @@ fn what_limits_the_numbers_is_said() {
     assert!(!clean.contains("class=\"notes\"") && !clean.contains("class=\"failed\""));
 }
 
-fn estimators() -> Results {
+/// The page may stand alone: it does not say what lies beside it.
+#[test]
+fn files_are_said_to_be_those_of_the_command() {
+    let page = page_of(&plain());
+    says(&page, &["The command writes results.json and results.csv"]);
+    assert!(!page.contains("Beside this page"));
+}
+
+/// Estimators that take other dimensions are not said to take the first one's.
+#[test]
+fn dimensions_are_those_of_the_estimator() {
+    let mut study = estimators();
+    let text = page_of(&study);
+    says(
+        &text,
+        &[
+            "a function, in 2 dimensions.",
+            "the floor of estimator mis is",
+        ],
+    );
+    for one in &mut study.series {
+        one.dimensions += u32::from(one.estimator == Some("mis"));
+    }
+    let text = page_of(&study);
+    says(
+        &text,
+        &[
+            "<p>a function. The",
+            "the floor of estimator cosine, in 2 dimensions, is",
+            "the floor of estimator mis, in 3 dimensions, is",
+        ],
+    );
+}
+
+pub fn estimators() -> Results {
     let with = |name, sampler, slope| Series {
         estimator: Some(name),
         ..series("light", sampler, cell(slope, true), true)
@@ -194,7 +228,7 @@ fn what_is_not_drawn_is_said() {
     for point in &mut flat.cell.points {
         point.means = vec![0.5; 8];
     }
-    flat.analysis = Analysis::new(&flat.cell, &flat.truth, true, Statistic::Rmse);
+    flat.analysis = Analysis::new(&flat.cell, &flat.truth, true, Statistic::Rmse, None);
     many.truncate(1);
     many.push(flat.clone());
     let page = page_of(&results(many));

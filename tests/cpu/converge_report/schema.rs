@@ -1,4 +1,4 @@
-//! `docs/schemas/converge-1.json` describes what is written.
+//! `docs/schemas/converge-2.json` describes what is written.
 //!
 //! The validator knows the words of JSON Schema that the schema uses, and refuses others.
 
@@ -6,7 +6,7 @@ use super::{plain, results, written};
 use corput::converge::{Engine, Results, Setting, Settings, Study, rows};
 use serde_json::{Value, json};
 
-const SCHEMA: &str = include_str!("../../../docs/schemas/converge-1.json");
+const SCHEMA: &str = include_str!("../../../docs/schemas/converge-2.json");
 
 /// Where a value is not as its schema says.
 fn faults(root: &Value, schema: &Value, value: &Value, at: &str) -> Vec<String> {
@@ -142,7 +142,7 @@ fn what_is_rare_is_as_the_schema_says() {
         }
         let statistic = corput::converge::Statistic::MedianAbsolute;
         let (cell, truth) = (&series.cell, &series.truth);
-        series.analysis = corput::converge::Analysis::new(cell, truth, true, statistic);
+        series.analysis = corput::converge::Analysis::new(cell, truth, true, statistic, None);
     }
     assert_eq!(check(&document(&study)), Vec::<String>::new());
     let empty = document(&results(Vec::new()));
@@ -154,7 +154,7 @@ fn broken_documents_are_not() {
     let whole = document(&plain());
     assert_eq!(check(&whole), Vec::<String>::new());
     let breaks: [(&str, Value); 8] = [
-        ("/schema", json!("corput-converge/2")),
+        ("/schema", json!("corput-converge/1")),
         ("/replicates", json!(1)),
         ("/counts", json!([])),
         ("/series/0/statistic", json!("mean")),

@@ -2,7 +2,7 @@
 
 use super::boxes::{collisions, texts};
 use super::{drawn, refused};
-use corput::plot::{Curve, Measured, Work, WorkPrecisionStyle, work_precision};
+use corput::plot::{Curve, Measured, Work, WorkPrecisionStyle, key, work_precision};
 use resvg::usvg::{Options, Tree};
 
 fn curve(name: &str, hue: usize, slope: f64) -> Curve {
@@ -14,6 +14,7 @@ fn curve(name: &str, hue: usize, slope: f64) -> Curve {
             error,
             low: 0.8 * error,
             high: 1.3 * error,
+            faint: false,
         }
     };
     Curve {
@@ -167,6 +168,7 @@ fn extreme_errors_are_drawn_or_refused() {
         error,
         low,
         high,
+        faint: false,
     };
     for points in [
         vec![point(16.0, 1e-3, 0.0, f64::INFINITY)],
@@ -194,4 +196,105 @@ fn extreme_errors_are_drawn_or_refused() {
         work_precision(&[curve("a", 0, -1.0)], &small),
         "160 to 4000",
     );
+}
+
+/// Steep curves end at the lower edge, where the floor and the guides have their words too.
+#[test]
+fn names_of_steep_curves_are_apart() {
+    let names = [
+        "random",
+        "halton (2, 3)",
+        "sobol:owen-hash",
+        "stratified",
+        "korobov",
+    ];
+    let mut tried = 0;
+    for slope in [-0.8, -1.0, -1.3, -1.5, -2.0] {
+        for many in [1, 2, 3, 5] {
+            for (floor, targets) in [
+                (0.0, &[1e-2, 1e-3, 1e-4][..]),
+                (2.3e-10, &[1e-2, 1e-3, 1e-4]),
+                (1e-7, &[1e-5, 1e-6]),
+                (3e-5, &[]),
+            ] {
+                let curves: Vec<Curve> = names[..many]
+                    .iter()
+                    .zip(0..)
+                    .map(|(name, hue)| curve(name, hue, slope))
+                    .collect();
+                for work in [Work::Points, Work::Seconds] {
+                    let style = WorkPrecisionStyle {
+                        work,
+                        floor,
+                        targets,
+                        ..STYLE
+                    };
+                    let svg = work_precision(&curves, &style).unwrap();
+                    let found = collisions(&svg);
+                    assert_eq!(
+                        found,
+                        Vec::<String>::new(),
+                        "{slope} {many} {floor} {work:?}"
+                    );
+                    tried += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(tried, 160);
+}
+
+/// A step is dotted where one of its ends has an interval that says too little.
+#[test]
+fn what_says_too_little_is_faint() {
+    let mut one = curve("random", 0, -0.5);
+    for point in &mut one.points[..3] {
+        point.faint = true;
+    }
+    let svg = work_precision(&[one.clone()], &STYLE).unwrap();
+    saved("work-faint", &svg);
+    let dotted: Vec<&str> = svg
+        .lines()
+        .filter(|line| line.contains("stroke-dasharray=\"1.5 3\""))
+        .collect();
+    assert_eq!(dotted.len(), 1);
+    // Three points and the one after them.
+    assert_eq!(dotted[0].matches('L').count(), 3);
+    // Its band, its line and its markers.
+    assert_eq!(svg.matches("opacity=\"0.45\"").count(), 3);
+    assert_eq!(svg.matches("fill-opacity").count(), 2);
+    for point in &mut one.points {
+        point.faint = false;
+    }
+    let whole = work_precision(&[one], &STYLE).unwrap();
+    assert!(!whole.contains("1.5 3") && !whole.contains("0.45"));
+}
+
+#[test]
+fn a_key_names_the_curves_that_are_drawn() {
+    let halton = Curve {
+        one_run: true,
+        ..curve("halton <2>", 1, -1.0)
+    };
+    let none = Curve {
+        points: Vec::new(),
+        ..curve("none", 2, -1.0)
+    };
+    let curves = [curve("random", 0, -0.5), halton, none];
+    let made = key(&curves, &STYLE);
+    let names: Vec<&str> = made.entries.iter().map(|(_, name)| name.as_str()).collect();
+    assert_eq!(names, ["random", "halton <2> (one run)"]);
+    assert!(
+        made.entries
+            .iter()
+            .all(|(mark, _)| mark.contains("class=\"c"))
+    );
+    let svg = work_precision(&curves, &STYLE).unwrap();
+    let width = f64::from(
+        Tree::from_str(&svg, &Options::default())
+            .unwrap()
+            .size()
+            .width(),
+    );
+    assert!((made.across - width / (66.0 + 300.0 + 12.0)).abs() < 1e-9);
 }

@@ -63,7 +63,7 @@ fn a_report_is_whole_and_leaves_no_cells_behind() {
                 --device cpu --report out";
     desk.run(line).expect(0, &["report.html"]);
     let json = document(&desk.bytes("out/results.json"));
-    assert_eq!(json["schema"], "corput-converge/1");
+    assert_eq!(json["schema"], "corput-converge/2");
     assert_eq!(
         json["command"],
         format!("corput {line}").replace("                ", "")
@@ -72,6 +72,41 @@ fn a_report_is_whole_and_leaves_no_cells_behind() {
     // Two samplers at 16, 32, 64, 128 and 256 points.
     assert_eq!(csv.lines().count(), 11);
     assert!(!desk.path("out/unfinished.jsonl").exists());
+}
+
+#[test]
+fn a_study_goes_on_and_says_what_it_measures_anew() {
+    use corput::converge::{self, Engine, Kept, Setting, Settings, Study};
+    let desk = Desk::new();
+    std::fs::create_dir(desk.path("out")).unwrap();
+    let path = desk.path("out/unfinished.jsonl");
+    let samplers = ["random", "sobol"].map(|name| corput::catalog::Sampler::parse(name).unwrap());
+    let settings = Settings {
+        max_count: 64,
+        replicates: 4,
+        ..Settings::default()
+    };
+    let rows = converge::rows("x-squared", &[], &samplers).unwrap();
+    let study = Study::new(rows, settings).unwrap();
+    let device = "cpu (the reference, every core)";
+    let setting = Setting::new(&study, device.into(), "test".into());
+    let mut kept = Kept::open(&path).unwrap();
+    let watch = &mut |_: &str, _, _| Ok(());
+    converge::run(&Engine::Cpu, &study, setting, Some(&mut kept), watch).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    let program = Engine::Cpu.program(&study, &study.rows()[0], samplers[0]);
+    let other = text.replace(&program.unwrap(), "0.0.0 of another kernel");
+    assert_ne!(other, text);
+    let line = "converge --integrand x-squared --sampler random,sobol --max-count 64 \
+                --replicates 4 --device cpu --report out";
+    let words = "of other kernels or of another version";
+    std::fs::write(&path, &text).unwrap();
+    let run = desk.run(line);
+    run.expect(0, &[]);
+    assert!(!run.stderr.contains(words));
+    std::fs::write(&path, &other).unwrap();
+    desk.run(line)
+        .expect(0, &["1 cell of out/unfinished.jsonl was of other kernels"]);
 }
 
 #[test]

@@ -21,7 +21,18 @@ document.querySelector("iframe").addEventListener("load", (event) => {
   const found = {
     width: view.innerWidth,
     needs: page.documentElement.scrollWidth,
-    figures: all("figure svg").map(box),
+    figures: all(".view").map((one) => ({
+      ...box(one), shown: one.querySelector("svg").checkVisibility(),
+    })),
+    texts: all(".view text").map((one) => {
+      const { left, right } = one.getBoundingClientRect();
+      const edge = one.closest(".view").getBoundingClientRect().right;
+      const figure = one.ownerSVGElement;
+      const scale = figure.getBoundingClientRect().width / figure.viewBox.baseVal.width;
+      const size = parseFloat(view.getComputedStyle(one).fontSize) * scale;
+      return { text: one.textContent, size, cut: right > edge, gone: left >= edge };
+    }),
+    keys: all(".key").map((one) => one.checkVisibility()),
     page: view.getComputedStyle(page.body).backgroundColor,
     paper: fill("svg .paper"),
     words: fill("svg .ink text"),
@@ -156,6 +167,27 @@ fn faults(browser: &OsString, page: &str, figures: usize, look: Look) -> Vec<Str
             faults.push(format!("a figure is not seen: {figure}"));
         }
     }
+    // Words are as large as on paper; where names are cut off, a list below has them.
+    let (mut least, mut gone) = (f64::MAX, false);
+    for text in list("texts") {
+        if text["gone"] == true {
+            gone = true;
+            continue;
+        }
+        least = least.min(number(&text["size"]));
+        if text["cut"] == true {
+            faults.push(format!("cut off: {text}"));
+        }
+    }
+    if least < 11.0 {
+        faults.push(format!("words of {least} pixels"));
+    }
+    if list("keys").len() != figures / 2 || list("keys").iter().any(|key| *key != gone) {
+        faults.push(format!(
+            "names are cut off: {gone}, listed: {:?}",
+            list("keys")
+        ));
+    }
     let (page, ink) = match look.dark {
         true => ("rgb(21, 24, 28)", "rgb(228, 228, 228)"),
         false => ("rgb(255, 255, 255)", "rgb(34, 34, 34)"),
@@ -217,6 +249,17 @@ fn the_page_is_seen_in_a_browser() {
     found(&hidden, WIDE, "a figure is not seen");
     let wide = broken("<main>", "<main><p style=\"width:50rem\">wide</p>");
     found(&wide, PHONE, "wide on 390");
+    let small = broken(
+        ".view svg { width: calc(100% * var(--across));",
+        ".view svg {",
+    );
+    found(&small, PHONE, "words of ");
+    let nameless = broken(".key { display: flex; }", "");
+    found(
+        &nameless,
+        PHONE,
+        "names are cut off: true, listed: [Bool(false)",
+    );
     let bright = broken("svg .paper{fill:#15181c}", "");
     found(&bright, Look { dark: true, ..WIDE }, "not rgb(21, 24, 28)");
 }
