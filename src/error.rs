@@ -229,7 +229,7 @@ pub enum Error {
         /// The call that waited.
         call: &'static str,
         /// The bound.
-        seconds: u64,
+        seconds: f64,
     },
     /// A file operation that failed while running.
     #[error("cannot {action} {}: {source}; {}", path.display(), io_remedy(source.kind()))]

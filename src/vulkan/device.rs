@@ -4,12 +4,13 @@ use ash::vk;
 use std::ffi::CStr;
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
 use super::info::DeviceInfo;
 use super::instance::Instance;
 use super::kept::Kept;
+use super::orphan::Orphan;
 use super::submit::Lane;
 use super::{WAIT_SECONDS, failed, query};
 use crate::error::{Error, Result};
@@ -29,8 +30,12 @@ pub struct Device {
     pub(super) lane: Mutex<Lane>,
     /// Compiled pipelines, if they are kept.
     pub(super) kept: Mutex<Option<Kept>>,
-    /// A wait has timed out, so work may still be running.
+    /// A wait has ended before its work, which may still be running.
     pub(super) hung: AtomicBool,
+    /// Objects that were dropped meanwhile.
+    pub(super) orphans: Mutex<Vec<Orphan>>,
+    /// The call that said that the device was lost.
+    lost: OnceLock<&'static str>,
     /// Nanoseconds.
     wait_limit: AtomicU64,
     owned: bool,
@@ -153,6 +158,8 @@ impl Device {
             lane: Mutex::default(),
             kept: Mutex::default(),
             hung: AtomicBool::new(false),
+            orphans: Mutex::default(),
+            lost: OnceLock::new(),
             wait_limit: AtomicU64::new(nanoseconds(Duration::from_secs(WAIT_SECONDS))),
             owned,
             instance,
@@ -203,7 +210,8 @@ impl Device {
 
     /// Changes how long one submission may take before the wait for it ends in
     /// [`Error::Timeout`]; at first [`WAIT_SECONDS`]. After a timeout the next
-    /// use of the device waits again for the same submission.
+    /// use of the device waits again for the same submission, and what is dropped
+    /// meanwhile is destroyed once that has ended.
     pub fn set_wait_limit(&self, limit: Duration) {
         self.wait_limit.store(nanoseconds(limit), Ordering::Relaxed);
     }
@@ -214,7 +222,23 @@ impl Device {
         Duration::from_nanos(self.wait_limit.load(Ordering::Relaxed))
     }
 
-    /// Whether a wait has timed out, so that nothing may be destroyed.
+    /// The error of a call, which may be that the device was lost.
+    pub(super) fn heard(&self, call: &'static str, code: vk::Result) -> Error {
+        if code == vk::Result::ERROR_DEVICE_LOST {
+            self.lost.get_or_init(|| call);
+        }
+        failed(call)(code)
+    }
+
+    /// An error once the device was lost: it does not come back.
+    pub(super) fn check_alive(&self) -> Result<()> {
+        match self.lost.get() {
+            Some(call) => Err(failed(call)(vk::Result::ERROR_DEVICE_LOST)),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether a wait has ended before its work, so that nothing may be destroyed.
     pub(super) fn is_hung(&self) -> bool {
         self.hung.load(Ordering::Acquire)
     }
@@ -222,12 +246,16 @@ impl Device {
 
 impl Drop for Device {
     fn drop(&mut self) {
+        // One look: what has ended meanwhile can be destroyed.
+        self.set_wait_limit(Duration::ZERO);
+        let _ = self.settle();
         if self.is_hung() {
             // Work may still be running; destroying what it uses would be
             // undefined behaviour, so it is left to the end of the process.
             std::mem::forget(Arc::clone(&self.instance));
             return;
         }
+        self.destroy_orphans();
         let lane = std::mem::take(self.lane.get_mut().unwrap_or_else(PoisonError::into_inner));
         lane.destroy(&self.raw);
         let kept = self.kept.get_mut().unwrap_or_else(PoisonError::into_inner);

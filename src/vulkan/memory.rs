@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::device::Device;
 use super::info::DeviceKind;
+use super::orphan::Orphan;
 use super::{failed, refused};
 use crate::error::Result;
 
@@ -184,15 +185,7 @@ impl Block {
 
 impl Drop for Block {
     fn drop(&mut self) {
-        if self.device.is_hung() {
-            return; // work may still use it
-        }
-        // SAFETY: every submission that used it was waited for. Null handles are
-        // allowed. Freeing memory unmaps it.
-        unsafe {
-            self.device.raw().destroy_buffer(self.raw, None);
-            self.device.raw().free_memory(self.memory, None);
-        }
+        self.device.discard(Orphan::Block(self.raw, self.memory));
     }
 }
 

@@ -36,6 +36,7 @@ mod info;
 mod instance;
 mod kept;
 mod memory;
+mod orphan;
 mod pipeline;
 mod probe;
 mod probe_rows;

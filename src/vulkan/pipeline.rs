@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::device::{Device, inadequate};
 use super::kept::{Compiled, key};
+use super::orphan::Orphan;
 use super::{MAX_BINDINGS, failed};
 use crate::error::{Error, Result};
 
@@ -192,9 +193,8 @@ impl Pipeline {
 
 impl Drop for Pipeline {
     fn drop(&mut self) {
-        // Of a hung device work may still use it.
-        if self.owned && !self.device.is_hung() {
-            self.compiled.destroy(self.device.raw());
+        if self.owned {
+            self.device.discard(Orphan::Pipeline(self.compiled));
         }
     }
 }

@@ -63,8 +63,13 @@ pub fn shader(declarations: &str, body: &str) -> Vec<u32> {
 
 /// An instance with validation; without only if `CORPUT_SKIP_VALIDATION=1`.
 pub fn instance() -> Arc<Instance> {
-    let validation = !is_set("CORPUT_SKIP_VALIDATION");
+    let validation = validates();
     Instance::new(&InstanceOptions { validation }).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Whether tests run under the validation layer.
+pub fn validates() -> bool {
+    !is_set("CORPUT_SKIP_VALIDATION")
 }
 
 /// Calls `test` with every device present, and fails on validation messages.
