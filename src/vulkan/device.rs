@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
+use super::baseline::{check_baseline, inadequate};
 use super::info::DeviceInfo;
 use super::instance::Instance;
 use super::kept::Kept;
@@ -47,10 +48,11 @@ impl Device {
     /// feature.
     ///
     /// # Errors
-    /// [`Error::InadequateDevice`] when it lacks the baseline (Vulkan 1.1, a
-    /// compute queue, 4 storage buffers, 128 invocations in a group, 128 bytes
-    /// of push constants), [`Error::UnknownDevice`] when it has gone,
-    /// [`Error::Vulkan`] when the driver fails.
+    /// [`Error::InadequateDevice`] when it lacks a compute queue or the baseline,
+    /// all of which Vulkan 1.1 guarantees: 4 storage buffers of 2^27 bytes, 128
+    /// invocations in a group, 65535 groups on an axis, 128 bytes of push
+    /// constants. [`Error::UnknownDevice`] when it has gone, [`Error::Vulkan`] when
+    /// the driver fails.
     pub fn open(instance: &Arc<Instance>, info: &DeviceInfo) -> Result<Arc<Self>> {
         let (physical, info) = find(instance, info)?;
         check_baseline(&info)?;
@@ -305,73 +307,4 @@ fn find(instance: &Instance, wanted: &DeviceInfo) -> Result<(vk::PhysicalDevice,
 
 fn nanoseconds(limit: Duration) -> u64 {
     u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX)
-}
-
-fn check_baseline(info: &DeviceInfo) -> Result<()> {
-    let (major, minor, _) = info.api_version;
-    let limits = &info.limits;
-    let need = |name: &str, has: u32, least: u32| {
-        (has < least).then(|| format!("{name}: it has {has}, and {least} are needed"))
-    };
-    let problem = ((major, minor) < (1, 1))
-        .then(|| format!("it offers Vulkan {major}.{minor}, and 1.1 is needed"))
-        .or_else(|| need("storage buffers", limits.max_storage_buffers, 4))
-        .or_else(|| need("invocations in a group", limits.max_group_invocations, 128))
-        .or_else(|| {
-            need(
-                "invocations on a group's x axis",
-                limits.max_group_size[0],
-                128,
-            )
-        })
-        .or_else(|| need("bytes of push constants", limits.max_push_constants, 128));
-    problem.map_or(Ok(()), |problem| Err(inadequate(info, problem)))
-}
-
-/// The device cannot do what is needed.
-pub(super) fn inadequate(info: &DeviceInfo, problem: impl Into<String>) -> Error {
-    Error::InadequateDevice {
-        device: info.name.clone(),
-        problem: problem.into(),
-        remedy: "choose another device, or `--device cpu`".to_owned(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::info::Limits;
-    use super::*;
-
-    fn baseline() -> DeviceInfo {
-        DeviceInfo {
-            api_version: (1, 1, 0),
-            limits: Limits {
-                max_storage_buffers: 4,
-                max_group_invocations: 128,
-                max_group_size: [128, 1, 1],
-                max_push_constants: 128,
-                ..Limits::default()
-            },
-            ..DeviceInfo::default()
-        }
-    }
-
-    #[test]
-    fn the_baseline_is_enough_and_nothing_less_is() {
-        assert!(check_baseline(&baseline()).is_ok());
-        let weaker: [fn(&mut DeviceInfo); 5] = [
-            |info| info.api_version = (1, 0, 300),
-            |info| info.limits.max_storage_buffers = 3,
-            |info| info.limits.max_group_invocations = 127,
-            |info| info.limits.max_group_size[0] = 64,
-            |info| info.limits.max_push_constants = 124,
-        ];
-        for weaken in weaker {
-            let mut info = baseline();
-            weaken(&mut info);
-            let error = check_baseline(&info).unwrap_err();
-            assert!(matches!(error, Error::InadequateDevice { .. }), "{error}");
-            assert_eq!(error.exit_code(), 3);
-        }
-    }
 }

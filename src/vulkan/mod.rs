@@ -28,6 +28,7 @@
 //! compute, transfer and host, and is waited for. So successive runs, reads
 //! and writes are ordered without further words.
 
+mod baseline;
 mod buffer;
 mod descriptor;
 mod device;

@@ -4,7 +4,8 @@ use ash::vk;
 use std::fmt;
 use std::sync::Arc;
 
-use super::device::{Device, inadequate};
+use super::baseline::inadequate;
+use super::device::Device;
 use super::kept::{Compiled, key};
 use super::orphan::Orphan;
 use super::{MAX_BINDINGS, failed};

@@ -1,10 +1,13 @@
 //! Devices of the least that Vulkan guarantees, and of less.
 
-use corput::spirv::{Module, describe};
-use corput::vulkan::Device;
-use corput::vulkan::ash::vk;
+use std::sync::Arc;
 
-use super::plan::{Lie, with};
+use corput::Error;
+use corput::spirv::{Module, describe};
+use corput::vulkan::ash::vk;
+use corput::vulkan::{Device, DeviceInfo, Instance};
+
+use super::plan::{Lie, Session, with};
 use super::support::{compile, pipeline};
 use super::work::{assert_failed, estimate, everything, generate, generator, on_each};
 
@@ -99,6 +102,93 @@ fn the_least_device_is_no_other_in_disguise() {
             );
         }
         pipeline(&device, &compile(plain), &[], 0);
+    });
+}
+
+/// Opening under a lie: refused, and the text names both numbers.
+fn refused(
+    session: &Session,
+    instance: &Arc<Instance>,
+    info: &DeviceInfo,
+    lie: Lie,
+    parts: &[&str],
+) {
+    session.lie(&[lie]);
+    let before = session.live();
+    let listed = instance.devices().expect("a list");
+    let error = Device::open(instance, &listed[info.index]).expect_err(parts[0]);
+    assert!(session.fired() > 0);
+    assert!(matches!(error, Error::InadequateDevice { .. }), "{error}");
+    assert_eq!((error.exit_code(), session.live()), (3, before));
+    let text = error.to_string();
+    for part in parts
+        .iter()
+        .chain(&[info.name.as_str(), "choose another device"])
+    {
+        assert!(text.contains(part), "no `{part}` in: {text}");
+    }
+}
+
+#[test]
+fn less_than_vulkan_guarantees_is_refused_at_once() {
+    on_each(|session, instance, info| {
+        let refused = |lie, parts: &[&str]| refused(session, instance, info, lie, parts);
+        refused(
+            Lie::Properties(|said| said.limits.max_storage_buffer_range = 1 << 16),
+            &[
+                "bytes of a storage buffer",
+                "it has 65536",
+                "134217728 are needed",
+            ],
+        );
+        refused(
+            Lie::Properties(|said| said.limits.max_storage_buffer_range = (1 << 27) - 1),
+            &[
+                "bytes of a storage buffer",
+                "it has 134217727",
+                "134217728 are needed",
+            ],
+        );
+        refused(
+            Lie::Properties(|said| said.limits.max_push_constants_size = 124),
+            &["bytes of push constants", "it has 124", "128 are needed"],
+        );
+        refused(
+            Lie::Properties(|said| said.limits.max_push_constants_size = 0),
+            &["bytes of push constants", "it has 0", "128 are needed"],
+        );
+        refused(
+            Lie::Properties(|said| said.limits.max_compute_work_group_invocations = 127),
+            &["invocations in a group", "it has 127", "128 are needed"],
+        );
+        refused(
+            Lie::Properties(|said| said.limits.max_compute_work_group_size[0] = 64),
+            &["x axis", "it has 64", "128 are needed"],
+        );
+        refused(
+            Lie::Properties(|said| said.limits.max_compute_work_group_count[0] = 64),
+            &["groups on the x axis", "it has 64", "65535 are needed"],
+        );
+        refused(
+            Lie::Properties(|said| said.limits.max_compute_work_group_count[1] = 1),
+            &["groups on the y axis", "it has 1", "65535 are needed"],
+        );
+        refused(
+            Lie::Properties(|said| said.limits.max_per_stage_descriptor_storage_buffers = 3),
+            &["storage buffers", "it has 3", "4 are needed"],
+        );
+        refused(
+            Lie::Properties(|said| said.api_version = vk::API_VERSION_1_0),
+            &["Vulkan 1.0", "1.1 is needed"],
+        );
+        refused(
+            Lie::Family(|said| said.queue_flags &= !vk::QueueFlags::COMPUTE),
+            &["it has no compute queue"],
+        );
+        refused(
+            Lie::Family(|said| said.queue_count = 0),
+            &["it has no compute queue"],
+        );
     });
 }
 
