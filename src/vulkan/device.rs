@@ -13,7 +13,7 @@ use super::instance::Instance;
 use super::kept::Kept;
 use super::orphan::Orphan;
 use super::submit::Lane;
-use super::{WAIT_SECONDS, failed, query};
+use super::{WAIT_SECONDS, failed, query, refused};
 use crate::error::{Error, Result};
 
 /// An open device with one compute queue. Buffers and pipelines hold an `Arc`
@@ -96,7 +96,8 @@ impl Device {
     /// the wrapper made, and neither the device nor the instance.
     ///
     /// # Errors
-    /// As for [`Device::open`].
+    /// As for [`Device::open`], and [`Error::Arguments`] for a family that the device
+    /// lacks or that cannot compute.
     ///
     /// # Safety
     /// - The handles belong together, `queue` is of family `family` of `device`,
@@ -123,11 +124,22 @@ impl Device {
                 .raw()
                 .get_physical_device_queue_family_properties(physical)
         };
-        let family_properties = usize::try_from(family)
-            .ok()
-            .and_then(|family| families.get(family))
-            .filter(|family| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
-            .ok_or_else(|| inadequate(&info, "the queue given is not a compute queue"))?;
+        let computing: Vec<_> = (0u32..)
+            .zip(&families)
+            .filter(|(_, family)| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
+            .collect();
+        let Some((_, family_properties)) = computing.iter().find(|(index, _)| *index == family)
+        else {
+            let computing: Vec<u32> = computing.iter().map(|(index, _)| *index).collect();
+            return Err(refused(
+                format!("queue family {family} of device {}", info.name),
+                format!(
+                    "of its {} families {computing:?} can compute",
+                    families.len()
+                ),
+                "give a queue of one that computes, and its family",
+            ));
+        };
         info.limits.timestamp_valid_bits = family_properties.timestamp_valid_bits;
         Self::assemble(instance, device, info, physical, queue, family, false)
     }
@@ -283,15 +295,10 @@ impl fmt::Debug for Device {
 /// The physical device that `wanted` describes; the loader's order may have
 /// changed since it was listed.
 fn find(instance: &Instance, wanted: &DeviceInfo) -> Result<(vk::PhysicalDevice, DeviceInfo)> {
-    let physical = instance.physical_devices()?;
-    let infos = instance.devices()?;
     let same =
         |info: &DeviceInfo| info.device_uuid == wanted.device_uuid && info.name == wanted.name;
-    let mut found: Vec<_> = physical
-        .into_iter()
-        .zip(infos)
-        .filter(|(_, info)| same(info))
-        .collect();
+    let mut found = instance.listed()?;
+    found.retain(|(_, info)| same(info));
     let at = found
         .iter()
         .position(|(_, info)| info.index == wanted.index)

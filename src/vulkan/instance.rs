@@ -146,8 +146,16 @@ impl Instance {
     /// # Errors
     /// [`Error::Vulkan`] when the driver fails to answer.
     pub fn devices(&self) -> Result<Vec<DeviceInfo>> {
+        Ok(self.listed()?.into_iter().map(|(_, info)| info).collect())
+    }
+
+    /// The same with their handles, of one answer of the loader: another may be in
+    /// another order.
+    pub(super) fn listed(&self) -> Result<Vec<(vk::PhysicalDevice, DeviceInfo)>> {
         let physical = self.physical_devices()?;
-        let info = |(index, physical)| query::device_info(&self.raw, physical, index);
+        let info = |(index, physical)| {
+            query::device_info(&self.raw, physical, index).map(|info| (physical, info))
+        };
         physical.into_iter().enumerate().map(info).collect()
     }
 
