@@ -383,7 +383,10 @@ fn io_remedy(kind: std::io::ErrorKind) -> &'static str {
 fn vulkan_remedy(result: &str) -> &'static str {
     if result.contains("DEVICE_LOST") {
         "the device was lost: run again, or use `--device cpu`"
-    } else if result.contains("OUT_OF") {
+    } else if ["OUT_OF", "TOO_MANY", "MAP_FAILED"]
+        .iter()
+        .any(|lack| result.contains(lack))
+    {
         "memory ran out: close other programs, or ask for fewer points at a time"
     } else {
         "run `corput devices` to see what the driver offers, or use `--device cpu`"

@@ -102,7 +102,10 @@ impl Block {
                 raw.map_memory(block.memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty())
             }
             .map_err(failed("vkMapMemory"))?;
-            block.map = NonNull::new(map.cast());
+            // Whoever asks for a mapping relies on it.
+            let map = NonNull::new(map.cast())
+                .ok_or_else(|| failed("vkMapMemory")(vk::Result::ERROR_MEMORY_MAP_FAILED))?;
+            block.map = Some(map);
             block.coherent = types
                 .get(index as usize)
                 .is_some_and(|one| one.property_flags.contains(Flags::HOST_COHERENT));

@@ -62,9 +62,6 @@ may_fail! {
         out: *mut vk::DeviceMemory;
     vkBindBufferMemory: PFN_vkBindBufferMemory =
         device: vk::Device, buffer: vk::Buffer, memory: vk::DeviceMemory, at: vk::DeviceSize;
-    vkMapMemory: PFN_vkMapMemory =
-        device: vk::Device, memory: vk::DeviceMemory, at: vk::DeviceSize, bytes: vk::DeviceSize,
-        flags: vk::MemoryMapFlags, out: *mut *mut c_void;
     vkFlushMappedMemoryRanges: PFN_vkFlushMappedMemoryRanges =
         device: vk::Device, count: u32, ranges: *const vk::MappedMemoryRange<'_>;
     vkInvalidateMappedMemoryRanges: PFN_vkInvalidateMappedMemoryRanges =
@@ -125,6 +122,7 @@ fn that_look(name: &CStr) -> vk::PFN_vkVoidFunction {
             b"vkCreateShaderModule" => {
                 transmute::<vk::PFN_vkCreateShaderModule, Function>(create_shader_module)
             }
+            b"vkMapMemory" => transmute::<vk::PFN_vkMapMemory, Function>(map_memory),
             b"vkWaitForFences" => transmute::<vk::PFN_vkWaitForFences, Function>(wait_for_fences),
             _ => return None,
         }
@@ -201,6 +199,32 @@ unsafe extern "system" fn create_shader_module(
         }
     };
     pass("vkCreateShaderModule", device.as_raw(), go)
+}
+
+unsafe extern "system" fn map_memory(
+    device: vk::Device,
+    memory: vk::DeviceMemory,
+    at: vk::DeviceSize,
+    bytes: vk::DeviceSize,
+    flags: vk::MemoryMapFlags,
+    out: *mut *mut c_void,
+) -> vk::Result {
+    let go = || {
+        // SAFETY: the caller vouches for the arguments.
+        let code = unsafe {
+            real::<vk::PFN_vkMapMemory>("vkMapMemory")(device, memory, at, bytes, flags, out)
+        };
+        let null = |lie: &Lie| matches!(lie, Lie::NullMap);
+        with(|plan| {
+            if plan.lies.iter().any(null) {
+                plan.lied();
+                // SAFETY: the caller's, and it takes any pointer.
+                unsafe { *out = std::ptr::null_mut() };
+            }
+        });
+        code
+    };
+    pass("vkMapMemory", device.as_raw(), go)
 }
 
 unsafe extern "system" fn wait_for_fences(

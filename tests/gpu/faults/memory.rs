@@ -13,6 +13,46 @@ use super::work::{
 const CARD: Lie = Lie::Properties(|said| said.device_type = vk::PhysicalDeviceType::DISCRETE_GPU);
 
 #[test]
+fn every_allocation_of_a_run_may_fail() {
+    let codes = [
+        (
+            vk::Result::ERROR_OUT_OF_DEVICE_MEMORY,
+            "ERROR_OUT_OF_DEVICE_MEMORY",
+        ),
+        (
+            vk::Result::ERROR_OUT_OF_HOST_MEMORY,
+            "ERROR_OUT_OF_HOST_MEMORY",
+        ),
+        (vk::Result::ERROR_TOO_MANY_OBJECTS, "ERROR_TOO_MANY_OBJECTS"),
+    ];
+    on_each(|session, instance, info| {
+        for lies in [&[STILL][..], &[STILL, CARD]] {
+            session.lie(lies);
+            let device = Device::open(instance, info).expect("a device");
+            device.keep_pipelines();
+            for (name, work) in ALL.into_iter().filter(|(name, _)| *name != "check") {
+                session.lie(lies);
+                work(&device).expect(name);
+                let all = session.seen("vkAllocateMemory");
+                assert!(all >= 1, "{name} allocates nothing");
+                for nth in 1..=all {
+                    let (code, text) = codes[nth as usize % codes.len()];
+                    let fault = Fault {
+                        nth,
+                        ..Fault::next("vkAllocateMemory", code)
+                    };
+                    session.set(&[fault], lies);
+                    let error = work(&device).expect_err(name);
+                    assert_failed(&error, "vkAllocateMemory", text, "memory ran out");
+                }
+                session.lie(lies);
+                work(&device).expect(name);
+            }
+        }
+    });
+}
+
+#[test]
 fn a_check_that_runs_out_of_memory_says_so() {
     on_each(|session, instance, info| {
         let device = Device::open(instance, info).expect("a device");
@@ -74,6 +114,37 @@ fn a_card_gives_the_same() {
         let buffer = Buffer::new(&device, 64, Access::Readback).expect("a buffer");
         assert!(!buffer.is_mapped());
         drop(buffer);
+        everything(&device).expect("all of it");
+    });
+}
+
+#[test]
+fn a_mapping_that_fails_is_an_error() {
+    on_each(|session, instance, info| {
+        let device = Device::open(instance, info).expect("a device");
+        device.keep_pipelines();
+        for (name, work) in ALL {
+            let code = vk::Result::ERROR_MEMORY_MAP_FAILED;
+            session.fail(Fault::always("vkMapMemory", code));
+            let error = work(&device).expect_err(name);
+            assert_failed(
+                &error,
+                "vkMapMemory",
+                "ERROR_MEMORY_MAP_FAILED",
+                "memory ran out",
+            );
+            // And one that succeeds with no address.
+            session.lie(&[Lie::NullMap]);
+            let error = work(&device).expect_err(name);
+            assert_failed(
+                &error,
+                "vkMapMemory",
+                "ERROR_MEMORY_MAP_FAILED",
+                "memory ran out",
+            );
+            assert!(session.fired() > 0);
+        }
+        session.heal();
         everything(&device).expect("all of it");
     });
 }

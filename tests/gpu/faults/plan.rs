@@ -65,6 +65,8 @@ pub enum Lie {
     Devices(fn(u64, &mut Vec<vk::PhysicalDevice>)),
     /// The loader's version.
     Version(u32),
+    /// Mappings at null.
+    NullMap,
     /// Modules that the driver refuses.
     Module(fn(&[u32]) -> bool),
 }
