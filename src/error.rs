@@ -229,7 +229,7 @@ pub enum Error {
         /// The call that waited.
         call: &'static str,
         /// The bound.
-        seconds: u64,
+        seconds: f64,
     },
     /// A file operation that failed while running.
     #[error("cannot {action} {}: {source}; {}", path.display(), io_remedy(source.kind()))]
@@ -383,7 +383,10 @@ fn io_remedy(kind: std::io::ErrorKind) -> &'static str {
 fn vulkan_remedy(result: &str) -> &'static str {
     if result.contains("DEVICE_LOST") {
         "the device was lost: run again, or use `--device cpu`"
-    } else if result.contains("OUT_OF") {
+    } else if ["OUT_OF", "TOO_MANY", "MAP_FAILED"]
+        .iter()
+        .any(|lack| result.contains(lack))
+    {
         "memory ran out: close other programs, or ask for fewer points at a time"
     } else {
         "run `corput devices` to see what the driver offers, or use `--device cpu`"

@@ -75,15 +75,17 @@ pub fn probe(device: &Arc<Device>) -> Result<Probe> {
 /// module, so that tests can run broken ones.
 ///
 /// # Errors
-/// Those of the device.
+/// [`Error::Shader`] for words that cannot be read as a module, and those of the device.
 pub fn pipeline(
     device: &Arc<Device>,
     kernel: &Kernel,
     words: &[u32],
     specialization: &[(u32, u32)],
 ) -> Result<Pipeline> {
-    // What does not parse is the driver wrapper's to refuse.
-    let pruned = prune(words, specialization).unwrap_or_else(|_| words.to_vec());
+    let pruned = prune(words, specialization).map_err(|error| Error::Shader {
+        shader: kernel.name.to_owned(),
+        problem: error.to_string(),
+    })?;
     let bindings: Vec<u32> = kernel.bindings.iter().map(|b| b.binding).collect();
     let uniforms = kernel.bindings.iter().filter(|b| b.uniform().is_some());
     let uniforms: Vec<u32> = uniforms.map(|b| b.binding).collect();

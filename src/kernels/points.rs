@@ -42,8 +42,7 @@ impl Points {
         let point_bytes = 4 * u64::from(request.words_per_point());
         // Whole invocations: a tile each, or four words.
         let unit = u64::from(plan.tile.max(4)) * point_bytes;
-        let bound = BUFFER_BYTES.min(device.info().limits.max_storage_buffer_range);
-        let most = bound.min(most * point_bytes) / unit * unit;
+        let most = BUFFER_BYTES.min(most * point_bytes) / unit * unit;
         let wanted = (request.count * point_bytes).next_multiple_of(unit);
         let bytes = wanted.min(most.max(unit));
         let results = Buffer::new(device, bytes, access)?;

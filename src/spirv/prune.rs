@@ -31,7 +31,11 @@ pub fn prune(words: &[u32], specialization: &[(u32, u32)]) -> Result<Vec<u32>> {
             gone.extend(all.iter().filter_map(result));
         }
     }
-    let mut pruned = words[..module.instructions()[0].at].to_vec();
+    let head = module
+        .instructions()
+        .first()
+        .map_or(words.len(), |one| one.at);
+    let mut pruned = words[..head].to_vec();
     let mut functions = module.functions().iter();
     let mut next = functions.next();
     let mut index = 0;

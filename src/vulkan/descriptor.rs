@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::buffer::Buffer;
 use super::device::Device;
+use super::orphan::Orphan;
 use super::pipeline::Pipeline;
 use super::{UNIFORM_BYTES, failed, refused};
 use crate::error::{Error, Result};
@@ -105,12 +106,8 @@ impl DescriptorSet {
 
 impl Drop for DescriptorSet {
     fn drop(&mut self) {
-        if self.device.is_hung() {
-            return; // work may still use it
-        }
-        // SAFETY: whoever recorded the set into a command buffer has promised that
-        // it ended before. Destroying the pool frees the set.
-        unsafe { self.device.raw().destroy_descriptor_pool(self.pool, None) };
+        // Whoever recorded the set into a command buffer has promised that it ended before.
+        self.device.discard(Orphan::Descriptors(self.pool));
     }
 }
 

@@ -4,14 +4,16 @@ use ash::vk;
 use std::ffi::CStr;
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
+use super::baseline::{check_baseline, inadequate};
 use super::info::DeviceInfo;
 use super::instance::Instance;
 use super::kept::Kept;
+use super::orphan::Orphan;
 use super::submit::Lane;
-use super::{WAIT_SECONDS, failed, query};
+use super::{WAIT_SECONDS, failed, query, refused};
 use crate::error::{Error, Result};
 
 /// An open device with one compute queue. Buffers and pipelines hold an `Arc`
@@ -29,8 +31,12 @@ pub struct Device {
     pub(super) lane: Mutex<Lane>,
     /// Compiled pipelines, if they are kept.
     pub(super) kept: Mutex<Option<Kept>>,
-    /// A wait has timed out, so work may still be running.
+    /// A wait has ended before its work, which may still be running.
     pub(super) hung: AtomicBool,
+    /// Objects that were dropped meanwhile.
+    pub(super) orphans: Mutex<Vec<Orphan>>,
+    /// The call that said that the device was lost.
+    lost: OnceLock<&'static str>,
     /// Nanoseconds.
     wait_limit: AtomicU64,
     owned: bool,
@@ -42,10 +48,11 @@ impl Device {
     /// feature.
     ///
     /// # Errors
-    /// [`Error::InadequateDevice`] when it lacks the baseline (Vulkan 1.1, a
-    /// compute queue, 4 storage buffers, 128 invocations in a group, 128 bytes
-    /// of push constants), [`Error::UnknownDevice`] when it has gone,
-    /// [`Error::Vulkan`] when the driver fails.
+    /// [`Error::InadequateDevice`] when it lacks a compute queue or the baseline,
+    /// all of which Vulkan 1.1 guarantees: 4 storage buffers of 2^27 bytes, 128
+    /// invocations in a group, 65535 groups on an axis, 128 bytes of push
+    /// constants. [`Error::UnknownDevice`] when it has gone, [`Error::Vulkan`] when
+    /// the driver fails.
     pub fn open(instance: &Arc<Instance>, info: &DeviceInfo) -> Result<Arc<Self>> {
         let (physical, info) = find(instance, info)?;
         check_baseline(&info)?;
@@ -89,7 +96,8 @@ impl Device {
     /// the wrapper made, and neither the device nor the instance.
     ///
     /// # Errors
-    /// As for [`Device::open`].
+    /// As for [`Device::open`], and [`Error::Arguments`] for a family that the device
+    /// lacks or that cannot compute.
     ///
     /// # Safety
     /// - The handles belong together, `queue` is of family `family` of `device`,
@@ -116,11 +124,22 @@ impl Device {
                 .raw()
                 .get_physical_device_queue_family_properties(physical)
         };
-        let family_properties = usize::try_from(family)
-            .ok()
-            .and_then(|family| families.get(family))
-            .filter(|family| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
-            .ok_or_else(|| inadequate(&info, "the queue given is not a compute queue"))?;
+        let computing: Vec<_> = (0u32..)
+            .zip(&families)
+            .filter(|(_, family)| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
+            .collect();
+        let Some((_, family_properties)) = computing.iter().find(|(index, _)| *index == family)
+        else {
+            let computing: Vec<u32> = computing.iter().map(|(index, _)| *index).collect();
+            return Err(refused(
+                format!("queue family {family} of device {}", info.name),
+                format!(
+                    "of its {} families {computing:?} can compute",
+                    families.len()
+                ),
+                "give a queue of one that computes, and its family",
+            ));
+        };
         info.limits.timestamp_valid_bits = family_properties.timestamp_valid_bits;
         Self::assemble(instance, device, info, physical, queue, family, false)
     }
@@ -153,6 +172,8 @@ impl Device {
             lane: Mutex::default(),
             kept: Mutex::default(),
             hung: AtomicBool::new(false),
+            orphans: Mutex::default(),
+            lost: OnceLock::new(),
             wait_limit: AtomicU64::new(nanoseconds(Duration::from_secs(WAIT_SECONDS))),
             owned,
             instance,
@@ -203,7 +224,8 @@ impl Device {
 
     /// Changes how long one submission may take before the wait for it ends in
     /// [`Error::Timeout`]; at first [`WAIT_SECONDS`]. After a timeout the next
-    /// use of the device waits again for the same submission.
+    /// use of the device waits again for the same submission, and what is dropped
+    /// meanwhile is destroyed once that has ended.
     pub fn set_wait_limit(&self, limit: Duration) {
         self.wait_limit.store(nanoseconds(limit), Ordering::Relaxed);
     }
@@ -214,7 +236,23 @@ impl Device {
         Duration::from_nanos(self.wait_limit.load(Ordering::Relaxed))
     }
 
-    /// Whether a wait has timed out, so that nothing may be destroyed.
+    /// The error of a call, which may be that the device was lost.
+    pub(super) fn heard(&self, call: &'static str, code: vk::Result) -> Error {
+        if code == vk::Result::ERROR_DEVICE_LOST {
+            self.lost.get_or_init(|| call);
+        }
+        failed(call)(code)
+    }
+
+    /// An error once the device was lost: it does not come back.
+    pub(super) fn check_alive(&self) -> Result<()> {
+        match self.lost.get() {
+            Some(call) => Err(failed(call)(vk::Result::ERROR_DEVICE_LOST)),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether a wait has ended before its work, so that nothing may be destroyed.
     pub(super) fn is_hung(&self) -> bool {
         self.hung.load(Ordering::Acquire)
     }
@@ -222,12 +260,16 @@ impl Device {
 
 impl Drop for Device {
     fn drop(&mut self) {
+        // One look: what has ended meanwhile can be destroyed.
+        self.set_wait_limit(Duration::ZERO);
+        let _ = self.settle();
         if self.is_hung() {
             // Work may still be running; destroying what it uses would be
             // undefined behaviour, so it is left to the end of the process.
             std::mem::forget(Arc::clone(&self.instance));
             return;
         }
+        self.destroy_orphans();
         let lane = std::mem::take(self.lane.get_mut().unwrap_or_else(PoisonError::into_inner));
         lane.destroy(&self.raw);
         let kept = self.kept.get_mut().unwrap_or_else(PoisonError::into_inner);
@@ -253,15 +295,10 @@ impl fmt::Debug for Device {
 /// The physical device that `wanted` describes; the loader's order may have
 /// changed since it was listed.
 fn find(instance: &Instance, wanted: &DeviceInfo) -> Result<(vk::PhysicalDevice, DeviceInfo)> {
-    let physical = instance.physical_devices()?;
-    let infos = instance.devices()?;
     let same =
         |info: &DeviceInfo| info.device_uuid == wanted.device_uuid && info.name == wanted.name;
-    let mut found: Vec<_> = physical
-        .into_iter()
-        .zip(infos)
-        .filter(|(_, info)| same(info))
-        .collect();
+    let mut found = instance.listed()?;
+    found.retain(|(_, info)| same(info));
     let at = found
         .iter()
         .position(|(_, info)| info.index == wanted.index)
@@ -277,73 +314,4 @@ fn find(instance: &Instance, wanted: &DeviceInfo) -> Result<(vk::PhysicalDevice,
 
 fn nanoseconds(limit: Duration) -> u64 {
     u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX)
-}
-
-fn check_baseline(info: &DeviceInfo) -> Result<()> {
-    let (major, minor, _) = info.api_version;
-    let limits = &info.limits;
-    let need = |name: &str, has: u32, least: u32| {
-        (has < least).then(|| format!("{name}: it has {has}, and {least} are needed"))
-    };
-    let problem = ((major, minor) < (1, 1))
-        .then(|| format!("it offers Vulkan {major}.{minor}, and 1.1 is needed"))
-        .or_else(|| need("storage buffers", limits.max_storage_buffers, 4))
-        .or_else(|| need("invocations in a group", limits.max_group_invocations, 128))
-        .or_else(|| {
-            need(
-                "invocations on a group's x axis",
-                limits.max_group_size[0],
-                128,
-            )
-        })
-        .or_else(|| need("bytes of push constants", limits.max_push_constants, 128));
-    problem.map_or(Ok(()), |problem| Err(inadequate(info, problem)))
-}
-
-/// The device cannot do what is needed.
-pub(super) fn inadequate(info: &DeviceInfo, problem: impl Into<String>) -> Error {
-    Error::InadequateDevice {
-        device: info.name.clone(),
-        problem: problem.into(),
-        remedy: "choose another device, or `--device cpu`".to_owned(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::info::Limits;
-    use super::*;
-
-    fn baseline() -> DeviceInfo {
-        DeviceInfo {
-            api_version: (1, 1, 0),
-            limits: Limits {
-                max_storage_buffers: 4,
-                max_group_invocations: 128,
-                max_group_size: [128, 1, 1],
-                max_push_constants: 128,
-                ..Limits::default()
-            },
-            ..DeviceInfo::default()
-        }
-    }
-
-    #[test]
-    fn the_baseline_is_enough_and_nothing_less_is() {
-        assert!(check_baseline(&baseline()).is_ok());
-        let weaker: [fn(&mut DeviceInfo); 5] = [
-            |info| info.api_version = (1, 0, 300),
-            |info| info.limits.max_storage_buffers = 3,
-            |info| info.limits.max_group_invocations = 127,
-            |info| info.limits.max_group_size[0] = 64,
-            |info| info.limits.max_push_constants = 124,
-        ];
-        for weaken in weaker {
-            let mut info = baseline();
-            weaken(&mut info);
-            let error = check_baseline(&info).unwrap_err();
-            assert!(matches!(error, Error::InadequateDevice { .. }), "{error}");
-            assert_eq!(error.exit_code(), 3);
-        }
-    }
 }

@@ -13,7 +13,8 @@ use crate::error::{Error, Result};
 /// How long one dispatch took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Timing {
-    /// Nanoseconds on the device, from its own clock; `None` without timestamps.
+    /// Nanoseconds on the device, from its own clock; `None` without timestamps,
+    /// or where they cannot be read.
     pub device_ns: Option<f64>,
     /// Nanoseconds of the whole call on the host: record, submit, wait.
     pub host_ns: f64,

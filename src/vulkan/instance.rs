@@ -50,7 +50,22 @@ impl Instance {
         let entry = unsafe { ash::Entry::load() }.map_err(|e| Error::NoDevice {
             reason: format!("no Vulkan loader: {e}"),
         })?;
-        // SAFETY: the loader is loaded.
+        // SAFETY: the functions are the loader's, and the entry keeps its library.
+        unsafe { Self::with_entry(entry, options) }
+    }
+
+    /// The same by a loader of the caller's: one that is linked in, lies at a path
+    /// of its own, or has been wrapped.
+    ///
+    /// # Errors
+    /// As for [`Instance::new`].
+    ///
+    /// # Safety
+    /// The entry's functions, and those that they lead to, do what Vulkan says, and
+    /// stay valid until the instance and all that was made from it have been
+    /// dropped. (An entry by `load`, `load_from` or `linked` sees to that.)
+    pub unsafe fn with_entry(entry: ash::Entry, options: &InstanceOptions) -> Result<Arc<Self>> {
+        // SAFETY: the caller vouches for the entry.
         let version = unsafe { entry.try_enumerate_instance_version() }
             .map_err(failed("vkEnumerateInstanceVersion"))?
             .unwrap_or(vk::API_VERSION_1_0);
@@ -131,8 +146,16 @@ impl Instance {
     /// # Errors
     /// [`Error::Vulkan`] when the driver fails to answer.
     pub fn devices(&self) -> Result<Vec<DeviceInfo>> {
+        Ok(self.listed()?.into_iter().map(|(_, info)| info).collect())
+    }
+
+    /// The same with their handles, of one answer of the loader: another may be in
+    /// another order.
+    pub(super) fn listed(&self) -> Result<Vec<(vk::PhysicalDevice, DeviceInfo)>> {
         let physical = self.physical_devices()?;
-        let info = |(index, physical)| query::device_info(&self.raw, physical, index);
+        let info = |(index, physical)| {
+            query::device_info(&self.raw, physical, index).map(|info| (physical, info))
+        };
         physical.into_iter().enumerate().map(info).collect()
     }
 

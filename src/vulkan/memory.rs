@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::device::Device;
 use super::info::DeviceKind;
+use super::orphan::Orphan;
 use super::{failed, refused};
 use crate::error::Result;
 
@@ -101,7 +102,10 @@ impl Block {
                 raw.map_memory(block.memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty())
             }
             .map_err(failed("vkMapMemory"))?;
-            block.map = NonNull::new(map.cast());
+            // Whoever asks for a mapping relies on it.
+            let map = NonNull::new(map.cast())
+                .ok_or_else(|| failed("vkMapMemory")(vk::Result::ERROR_MEMORY_MAP_FAILED))?;
+            block.map = Some(map);
             block.coherent = types
                 .get(index as usize)
                 .is_some_and(|one| one.property_flags.contains(Flags::HOST_COHERENT));
@@ -184,15 +188,7 @@ impl Block {
 
 impl Drop for Block {
     fn drop(&mut self) {
-        if self.device.is_hung() {
-            return; // work may still use it
-        }
-        // SAFETY: every submission that used it was waited for. Null handles are
-        // allowed. Freeing memory unmaps it.
-        unsafe {
-            self.device.raw().destroy_buffer(self.raw, None);
-            self.device.raw().free_memory(self.memory, None);
-        }
+        self.device.discard(Orphan::Block(self.raw, self.memory));
     }
 }
 

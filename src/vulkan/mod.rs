@@ -27,7 +27,34 @@
 //! **Order.** Everything that this module submits ends with a barrier towards
 //! compute, transfer and host, and is waited for. So successive runs, reads
 //! and writes are ordered without further words.
+//!
+//! # When a device fails
+//!
+//! No failure leaves a wrong answer, and every wait has a bound: one submission may take
+//! [`WAIT_SECONDS`], or what [`Device::set_wait_limit`] says, and threads that share a device
+//! wait one after the other.
+//!
+//! | fault | outcome |
+//! |---|---|
+//! | no loader, no driver, a loader of Vulkan 1.0, no device listed | [`Error::NoDevice`] of [`Instance::new`] or of [`select`] |
+//! | the list of devices changes after it was read | the device of the same UUID and name is opened; [`Error::UnknownDevice`] where it has gone |
+//! | less than the baseline of [`Device::open`]: storage buffers and their bytes, push constants, invocations, groups | [`Error::InadequateDevice`] of [`Device::open`], with both numbers |
+//! | a queue family of the caller's that is not there, or cannot compute | [`Error::Arguments`] of [`Device::from_existing`] |
+//! | no `int64`, no `float64`, no subgroup operations | nothing: no feature is ever enabled, and the stock kernels use none |
+//! | no timestamps, or a clock that cannot be read | [`Timing::device_ns`] is `None`; the results are the same |
+//! | a buffer of more bytes than can be bound or allocated at once | [`Error::Arguments`] |
+//! | memory of the host or of the device runs out, a mapping fails | [`Error::Vulkan`] with the call; what was half made is destroyed, and all else can be used again |
+//! | a module or a pipeline that the driver refuses | [`Error::Vulkan`] with the call; nothing of it is kept |
+//! | words that do not begin as SPIR-V does (see **Trust**) | [`Error::Shader`]; the driver does not see them |
+//! | the device is lost, as a submission, a wait or the clock says | [`Error::Vulkan`] with that call, and again from whatever submits, reads or writes later; other devices go on |
+//! | a fence that does not signal | [`Error::Timeout`] after the wait limit; later uses wait again |
+//! | a wait that fails, as without memory | [`Error::Vulkan`]; later uses wait again |
+//!
+//! Any object may be dropped after any of these. What is dropped while work may still run is
+//! destroyed once it has ended; a device that is dropped before is left to the end of the
+//! process, and so is its instance.
 
+mod baseline;
 mod buffer;
 mod descriptor;
 mod device;
@@ -36,6 +63,7 @@ mod info;
 mod instance;
 mod kept;
 mod memory;
+mod orphan;
 mod pipeline;
 mod probe;
 mod probe_rows;

@@ -4,8 +4,10 @@ use ash::vk;
 use std::fmt;
 use std::sync::Arc;
 
-use super::device::{Device, inadequate};
+use super::baseline::inadequate;
+use super::device::Device;
 use super::kept::{Compiled, key};
+use super::orphan::Orphan;
 use super::{MAX_BINDINGS, failed};
 use crate::error::{Error, Result};
 
@@ -192,9 +194,8 @@ impl Pipeline {
 
 impl Drop for Pipeline {
     fn drop(&mut self) {
-        // Of a hung device work may still use it.
-        if self.owned && !self.device.is_hung() {
-            self.compiled.destroy(self.device.raw());
+        if self.owned {
+            self.device.discard(Orphan::Pipeline(self.compiled));
         }
     }
 }

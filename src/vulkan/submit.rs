@@ -84,31 +84,33 @@ impl Lane {
         }
     }
 
-    /// Waits for the fence within bounds, and readies it for the next time.
+    /// Waits for the fence within bounds.
     fn wait(&mut self, device: &Device) -> Result<()> {
         let limit = device.wait_limit();
         let bound = u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX);
         // SAFETY: the fence is of this device.
         let waited = unsafe { device.raw().wait_for_fences(&[self.fence], true, bound) };
-        if let Err(vk::Result::TIMEOUT) = waited {
-            device.hung.store(true, Ordering::Release);
-            return Err(Error::Timeout {
-                call: "vkWaitForFences",
-                seconds: limit.as_secs(),
-            });
+        // A lost device has ended everything. Any other failure says nothing of the work.
+        self.pending = !matches!(waited, Ok(()) | Err(vk::Result::ERROR_DEVICE_LOST));
+        let hung = device.hung.swap(self.pending, Ordering::AcqRel);
+        if hung && !self.pending {
+            device.destroy_orphans();
         }
-        // Ended, or the device is lost, which ends everything.
-        self.pending = false;
-        device.hung.store(false, Ordering::Release);
-        waited.map_err(failed("vkWaitForFences"))?;
-        // SAFETY: as above; no submission uses the fence now.
-        unsafe { device.raw().reset_fences(&[self.fence]) }.map_err(failed("vkResetFences"))
+        waited.map_err(|code| match code {
+            vk::Result::TIMEOUT => Error::Timeout {
+                call: "vkWaitForFences",
+                seconds: limit.as_secs_f64(),
+            },
+            code => device.heard("vkWaitForFences", code),
+        })
     }
 }
 
 impl Device {
-    /// Waits again for work that an earlier wait gave up on.
+    /// Waits again for work that an earlier wait gave up on. An error too where the device
+    /// was lost, since then no memory holds what it should.
     pub(super) fn settle(&self) -> Result<()> {
+        self.check_alive()?;
         if !self.is_hung() {
             return Ok(());
         }
@@ -128,6 +130,7 @@ impl Device {
         fill: impl FnOnce(&Lane, vk::CommandBuffer) -> Result<()>,
     ) -> Result<Option<f64>> {
         let mut lane = self.lane.lock().unwrap_or_else(PoisonError::into_inner);
+        self.check_alive()?;
         if lane.pending {
             lane.wait(self)?;
         }
@@ -159,15 +162,23 @@ impl Device {
                 .map_err(failed("vkEndCommandBuffer"))?;
             let buffers = [commands];
             let submission = [vk::SubmitInfo::default().command_buffers(&buffers)];
+            // Here, and not after the wait: with a fence that is still signalled from an
+            // earlier submission the wait would end before the work does.
+            raw.reset_fences(&[lane.fence])
+                .map_err(failed("vkResetFences"))?;
             raw.queue_submit(self.queue(), &submission, lane.fence)
-                .map_err(failed("vkQueueSubmit"))?;
+                .map_err(|code| self.heard("vkQueueSubmit", code))?;
         }
         lane.pending = true;
         lane.wait(self)?;
-        Ok(if timed { self.elapsed(queries) } else { None })
+        match timed {
+            true => self.elapsed(queries),
+            false => Ok(None),
+        }
     }
 
-    fn elapsed(&self, queries: vk::QueryPool) -> Option<f64> {
+    /// Nanoseconds between both timestamps; `None` where they cannot be read.
+    fn elapsed(&self, queries: vk::QueryPool) -> Result<Option<f64>> {
         let mut ticks = [0u64; 2];
         // SAFETY: the pool holds two queries, and the submission that wrote them
         // has ended.
@@ -175,10 +186,16 @@ impl Device {
             self.raw()
                 .get_query_pool_results(queries, 0, &mut ticks, vk::QueryResultFlags::TYPE_64)
         };
-        read.ok()?;
+        match read {
+            Ok(()) => {}
+            Err(code @ vk::Result::ERROR_DEVICE_LOST) => {
+                return Err(self.heard("vkGetQueryPoolResults", code));
+            }
+            Err(_) => return Ok(None),
+        }
         let limits = &self.info().limits;
         let ticks = tick_difference(ticks[0], ticks[1], limits.timestamp_valid_bits);
-        Some(ticks as f64 * f64::from(limits.timestamp_period_ns))
+        Ok(Some(ticks as f64 * f64::from(limits.timestamp_period_ns)))
     }
 }
 

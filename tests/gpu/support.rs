@@ -67,8 +67,13 @@ pub fn instance() -> Arc<Instance> {
     // ending: one run in hundreds crashed. One instance is therefore never closed.
     static OPEN: OnceLock<Option<Arc<Instance>>> = OnceLock::new();
     OPEN.get_or_init(|| Instance::new(&InstanceOptions::default()).ok());
-    let validation = !is_set("CORPUT_SKIP_VALIDATION");
+    let validation = validates();
     Instance::new(&InstanceOptions { validation }).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Whether tests run under the validation layer.
+pub fn validates() -> bool {
+    !is_set("CORPUT_SKIP_VALIDATION")
 }
 
 /// Calls `test` with every device present, and fails on validation messages.

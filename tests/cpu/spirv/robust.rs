@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use corput::spirv::{
-    Error, Module, decorate_no_contraction, describe, exact_policy, lint, native_policy,
+    Error, Module, decorate_no_contraction, describe, exact_policy, lint, native_policy, prune,
     remove_no_contraction,
 };
 use proptest::prelude::*;
@@ -28,6 +28,7 @@ fn exercise(words: &[u32]) {
     }
     let _ = remove_no_contraction(words, 1);
     let _ = describe(words);
+    let _ = prune(words, &[(0, 1)]);
 }
 
 #[test]
