@@ -28,7 +28,8 @@ mod wide;
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
 pub use environment::EnvironmentTables;
 pub use functions::{
-    atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sobol_directions, sqrt,
+    RadicalInverses, atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos,
+    sobol_directions, sqrt,
 };
 pub use highlight::highlight;
 pub use integrands::{integrand, normal_peak};

@@ -27,7 +27,14 @@ const LEVELS: [&[&str]; 8] = [
     &["kernels", "bulk"],
     &["check"],
     &[
-        "accuracy", "bench", "card", "demo", "converge", "extreme", "vectors",
+        "accuracy",
+        "bench",
+        "card",
+        "demo",
+        "converge",
+        "exhaustive",
+        "extreme",
+        "vectors",
     ],
     &["cli"],
 ];
