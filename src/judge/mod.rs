@@ -17,6 +17,7 @@ mod normal;
 mod optics;
 pub mod planar;
 pub mod random;
+mod reduce;
 mod scattering;
 mod scenes;
 pub mod spherical;
@@ -38,6 +39,7 @@ pub use maps::{
     uniform_hemisphere,
 };
 pub use normal::{normal_density, normal_mass, normal_quantile, normal_tail};
+pub use reduce::float_sum;
 pub use scattering::{
     Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_fractions,
     henyey_greenstein_pdf,
