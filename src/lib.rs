@@ -17,6 +17,7 @@
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
+//! - `exhaustive`: functions of one word over every word, those of two over every critical pair.
 //! - `extreme`: extreme inputs as data, with what common formulas make of them, for the CPU and
 //!   for a device.
 //! - `vectors`: words of all of it, for ports to test themselves with.
@@ -57,6 +58,8 @@ pub mod demo;
 pub mod environment;
 pub mod error;
 pub mod estimate;
+#[cfg(feature = "gpu")]
+pub mod exhaustive;
 #[cfg(feature = "gpu")]
 pub mod extreme;
 #[cfg(feature = "images")]

@@ -51,6 +51,21 @@ CorputTerm corput_term(CorputReal a, int scale) {
     return CorputTerm(m, a.negative);
 }
 
+// The float of these bits where its exponent is one of the 32 of a window of 8, in units of
+// 2^(32 window - 150) and exact, denormals too; else 0, as infinities and NaN are.
+CorputTerm corput_term_window(uint bits, uint window) {
+    uint exponent = (bits >> 23) & 0xffu;
+    uint m = bits & 0x7fffffu;
+    if (exponent != 0u) {
+        m |= 0x800000u;
+    }
+    uint place = max(exponent, 1u);
+    if ((uint((place >> 5) != window) | uint(exponent == 255u)) != 0u) {
+        m = 0u;
+    }
+    return CorputTerm(corput_shl64(uvec2(m, 0u), place & 31u), (bits >> 31) != 0u);
+}
+
 // The sum with one term more.
 CorputSum corput_sum_add(CorputSum sum, CorputTerm term) {
     uint flip = 0u - uint(term.negative);

@@ -9,6 +9,7 @@ mod irradiance;
 mod maps;
 mod pairs;
 mod pixels;
+mod reduce;
 mod stored;
 
 pub use estimate::estimate;
@@ -20,6 +21,7 @@ pub use pairs::{
     pair_scale, pair_sum,
 };
 pub use pixels::estimate_pixels;
+pub use reduce::reduce;
 pub use stored::Stored;
 
 use crate::Result;

@@ -32,6 +32,16 @@ pub fn arguments(kind: Kind) -> Vec<[u32; 4]> {
     }
 }
 
+/// The values that functions of several arguments meet in all pairs: floats for those of
+/// floats, words for others.
+#[must_use]
+pub fn critical(kind: Kind) -> Vec<u32> {
+    match kind {
+        Kind::Float | Kind::Floats => floats(),
+        _ => words(),
+    }
+}
+
 fn spread(x: u32) -> [u32; 4] {
     [x, mix(x), mix(!x), mix(x ^ 0x9e37_79b9)]
 }

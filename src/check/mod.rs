@@ -22,6 +22,7 @@ mod pairs;
 mod points;
 mod random;
 mod real;
+mod reductions;
 mod rows;
 mod strata;
 mod tasks;
@@ -31,13 +32,14 @@ pub use blue_noise::compare_mask;
 pub use cases::cases;
 pub use compare::{Comparison, compare};
 pub use estimates::{compare_estimates, judged_range};
-pub use functions::{compare_function, function_words};
-pub use inputs::{arguments, mix};
+pub use functions::{compare_function, function_error, function_words};
+pub use inputs::{arguments, critical, mix};
 pub use junit::junit;
 pub use maps::{compare_map, examples, fractions, judge_native, truth};
 pub use native::{NATIVE, NativeRow, compare_native};
 pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
+pub use reductions::{FloatSums, REDUCTIONS, Reduction, compare_reduction};
 pub use rows::{Row, Verdict, figure};
 
 use crate::catalog::{FUNCTIONS, Profile, Tier};
@@ -128,6 +130,13 @@ pub fn run(
     }
     if wanted(&["nearest", "distance"]) {
         tasks.push(task("nearest", move || pairs::check_nearest(device)));
+    }
+    for reduction in REDUCTIONS {
+        if wanted(&[reduction.name, "reduction", "reduce", "sum"]) {
+            tasks.push(task(&format!("reduction {}", reduction.name), move || {
+                reductions::check(device, reduction)
+            }));
+        }
     }
     if wanted(&["blue_noise_mask", "void_and_cluster"]) {
         tasks.push(task("blue_noise_mask", move || blue_noise::check(device)));

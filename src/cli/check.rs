@@ -18,6 +18,9 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     if args.extreme {
         return super::extreme::run(args.device.as_deref(), args.json);
     }
+    if args.exhaustive {
+        return super::exhaustive::run(args.device.as_deref(), args.only.as_deref(), args.json);
+    }
     let time = args.seconds.map(seconds).transpose()?;
     let junit = args
         .junit

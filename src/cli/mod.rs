@@ -9,6 +9,7 @@ mod demo;
 mod devices;
 mod environment;
 mod estimate;
+mod exhaustive;
 mod extreme;
 mod format;
 mod generate;

@@ -1,9 +1,11 @@
 //! Estimates: a count, and exact sums of terms and of their squares. They merge in any
 //! grouping to the same bits, and only what is read from them is rounded, once.
 
+mod float_sum;
 mod pixels;
 mod wide;
 
+pub use float_sum::{FloatSum, WINDOWS, window_scale};
 pub use pixels::Pixels;
 pub use wide::U256;
 

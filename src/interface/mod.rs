@@ -16,7 +16,8 @@ pub use family::{COLUMN_STRIDE, FAMILIES, Family, Word, column_kind};
 pub use kernel::{Binding, Constant, Element, KINDS, Kernel, Profile};
 pub use kernels::KERNELS;
 pub use push::{
-    EstimatePush, IrradiancePush, MapPush, MaskPush, Member, PairsPush, PushConstants, WorkPush,
+    EstimatePush, IrradiancePush, MapPush, MaskPush, Member, PairsPush, PushConstants, ReducePush,
+    WorkPush,
 };
 
 /// Parameters of a map: bits of floats.

@@ -199,6 +199,22 @@ push_constants! {
 }
 
 push_constants! {
+    /// Arguments of the kernel that sums floats.
+    ReducePush {
+        /// First of the terms.
+        first,
+        /// Terms.
+        count,
+        /// Terms of an invocation; the last run may be shorter.
+        run,
+        /// Runs.
+        parts,
+        /// Invocations that have work: one for each run and each window.
+        invocations,
+    }
+}
+
+push_constants! {
     /// Arguments of the void-and-cluster kernel.
     MaskPush {
         /// Columns of a frame.

@@ -71,6 +71,65 @@ pub fn radical_inverse(n: u32, base: u32) -> u64 {
     (reversed << 32).div_ceil(scale) as u64
 }
 
+/// Radical inverses of consecutive indices: the same rationals, over one denominator, by an
+/// odometer of digits. A step takes a few additions.
+#[derive(Clone, Debug)]
+pub struct RadicalInverses {
+    base: u32,
+    /// The lowest first, with what each is worth when mirrored.
+    digits: Vec<(u32, u64)>,
+    reversed: u64,
+    scale: u64,
+}
+
+impl RadicalInverses {
+    /// From n on, in a base of 2 to 65535.
+    #[must_use]
+    pub fn new(n: u32, base: u32) -> Self {
+        let (mut scale, mut length) = (1u64, 0);
+        while scale < 1 << 32 {
+            scale *= u64::from(base);
+            length += 1;
+        }
+        let (mut rest, mut weight) = (n, scale);
+        let digits = (0..length).map(|_| {
+            weight /= u64::from(base);
+            let digit = rest % base;
+            rest /= base;
+            (digit, weight)
+        });
+        let digits: Vec<(u32, u64)> = digits.collect();
+        let reversed = digits.iter().map(|(d, w)| u64::from(*d) * w).sum();
+        Self {
+            base,
+            digits,
+            reversed,
+            scale,
+        }
+    }
+
+    /// Whether `got` is ceil(2^32 phi_b(n)).
+    #[must_use]
+    pub fn is(&self, got: u32) -> bool {
+        let (truth, scale) = (u128::from(self.reversed) << 32, u128::from(self.scale));
+        let most = u128::from(got) * scale;
+        truth <= most && most < truth + scale
+    }
+
+    /// To the next index; after the last, to 0.
+    pub fn step(&mut self) {
+        for (digit, weight) in &mut self.digits {
+            if *digit + 1 < self.base {
+                *digit += 1;
+                self.reversed += *weight;
+                return;
+            }
+            self.reversed -= u64::from(*digit) * *weight;
+            *digit = 0;
+        }
+    }
+}
+
 /// ceil(2^32 k / count).
 #[must_use]
 pub fn hammersley(k: u32, count: u64) -> u64 {
@@ -92,4 +151,25 @@ pub fn sobol_directions(polynomial: u32, initial: &[u32]) -> [u32; 32] {
         m.push(next);
     }
     std::array::from_fn(|i| (u128::from(m[i]) << 32 >> (i + 1)) as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{RadicalInverses, radical_inverse};
+
+    #[test]
+    fn the_odometer_has_the_rationals() {
+        for base in [2, 3, 5, 8161, 65_521] {
+            for first in [0, 65_000, 4_163_763_246, u32::MAX - 999] {
+                let mut inverses = RadicalInverses::new(first, base);
+                for n in first..=first.saturating_add(999) {
+                    let truth = radical_inverse(n, base) as u32;
+                    assert!(inverses.is(truth), "{n} in base {base}");
+                    assert!(!inverses.is(truth.wrapping_add(1)));
+                    assert!(!inverses.is(truth.wrapping_sub(1)));
+                    inverses.step();
+                }
+            }
+        }
+    }
 }

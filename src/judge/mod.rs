@@ -17,6 +17,7 @@ mod normal;
 mod optics;
 pub mod planar;
 pub mod random;
+mod reduce;
 mod scattering;
 mod scenes;
 pub mod spherical;
@@ -28,7 +29,8 @@ mod wide;
 pub use digits::{Scrambled, faure_permutation, owen, permutation, permuted, started};
 pub use environment::EnvironmentTables;
 pub use functions::{
-    atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos, sobol_directions, sqrt,
+    RadicalInverses, atan2_turns, divide, hammersley, multiply, radical_inverse, sin_cos,
+    sobol_directions, sqrt,
 };
 pub use highlight::highlight;
 pub use integrands::{integrand, normal_peak};
@@ -37,6 +39,7 @@ pub use maps::{
     uniform_hemisphere,
 };
 pub use normal::{normal_density, normal_mass, normal_quantile, normal_tail};
+pub use reduce::float_sum;
 pub use scattering::{
     Ggx, beckmann, beckmann_normal, henyey_greenstein, henyey_greenstein_fractions,
     henyey_greenstein_pdf,

@@ -10,6 +10,7 @@ mod pairs;
 mod pixels;
 mod points;
 mod records;
+mod reducer;
 mod void_and_cluster;
 
 pub use elementary::Elementary;
@@ -20,6 +21,7 @@ pub use irradiance::{IrradianceSum, Irradiator};
 pub use mapper::Mapper;
 pub use pairs::Pairs;
 pub use pixels::PixelEstimator;
+pub use reducer::{Reducer, Split, largest_group};
 pub use void_and_cluster::VoidAndCluster;
 
 use crate::interface::{KERNELS, Kernel};

@@ -67,6 +67,26 @@ pub fn term(a: Real, scale: i32) -> Term {
     }
 }
 
+/// The float of these bits where its exponent is one of the 32 of a window of 8, in units of
+/// 2^(32 window - 150) and exact, denormals too; else 0, as infinities and NaN are.
+#[inline]
+#[must_use]
+pub fn term_window(bits: u32, window: u32) -> Term {
+    let exponent = (bits >> 23) & 0xff;
+    let mut m = bits & 0x7f_ffff;
+    if exponent != 0 {
+        m |= 0x80_0000;
+    }
+    let place = exponent.max(1);
+    if (u32::from((place >> 5) != window) | u32::from(exponent == 255)) != 0 {
+        m = 0;
+    }
+    Term {
+        m: shl64(uvec2(m, 0), place & 31),
+        negative: (bits >> 31) != 0,
+    }
+}
+
 /// The sum with one term more.
 #[inline]
 #[must_use]

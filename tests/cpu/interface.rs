@@ -8,7 +8,7 @@ mod source;
 use corput::blue_noise::MaskShape;
 use corput::interface::{
     Element, EstimatePush, Family, IrradiancePush, KERNELS, MaskPush, PairsPush, PushConstants,
-    REPEATS, WorkPush, column_kind, map, output,
+    REPEATS, ReducePush, WorkPush, column_kind, map, output,
 };
 use corput::kernels::spirv;
 use facts::{constants, promised, reflected};
@@ -153,6 +153,7 @@ fn structs_have_the_size_of_their_blocks() {
     check::<IrradiancePush>(&IrradiancePush::default().bytes());
     check::<EstimatePush>(&EstimatePush::default().bytes());
     check::<PairsPush>(&PairsPush::default().bytes());
+    check::<ReducePush>(&ReducePush::default().bytes());
     check::<MaskPush>(&MaskPush::default().bytes());
     let push = WorkPush {
         first: 1,

@@ -5,7 +5,7 @@ mod points;
 
 use super::{
     Binding, Constant, Element, FAMILIES, IrradiancePush, Kernel, MaskPush, PairsPush, Profile,
-    PushConstants,
+    PushConstants, ReducePush,
 };
 use constants::{
     ARGUMENTS, COORDINATES, DIMENSIONS, FUNCTION, INDEXED, KIND, MAP, MAP_ARGUMENTS, POINTS,
@@ -119,6 +119,10 @@ const OTHERS: &[Kernel] = &[
     },
     pairs("pairs", "pairs.comp", &[KIND]),
     pairs("nearest", "nearest.comp", &[TOROIDAL]),
+    Kernel {
+        push: ReducePush::MEMBERS,
+        ..pairs("reduce", "reduce.comp", &[])
+    },
     Kernel {
         name: "void_and_cluster",
         source: "void_and_cluster.comp",

@@ -2,10 +2,24 @@
 
 use super::Killer::Mismatch;
 use super::{Mutant, mutant};
-use crate::harness::Target::{Estimate, EstimateTile};
+use crate::harness::Target::{Estimate, EstimateTile, Reduce};
 
 #[rustfmt::skip]
 pub const MUTANTS: &[Mutant] = &[
+    mutant("a tally's first carry lost", Mismatch, Reduce("equal terms"),
+        "corput/sum.glsl", "corput_addc(t.y, t0.y)", "corput_addc(t.y, 0u)"),
+    mutant("a tally's middle carry lost", Mismatch, Reduce("any bits"),
+        "corput/sum.glsl", "corput_addc(places.z, (places.y >> 16) + w0.y)", "corput_addc(places.z, places.y >> 16)"),
+    mutant("denormals as zeros", Mismatch, Reduce("denormals"),
+        "corput/sum.glsl", "uint m = bits & 0x7fffffu;", "uint m = bits & 0x7fffffu; if (exponent == 0u) { return CorputTerm(uvec2(0u), false); }"),
+    mutant("denormals at half of what they are", Mismatch, Reduce("one huge among many tiny"),
+        "corput/sum.glsl", "uint place = max(exponent, 1u);", "uint place = exponent;"),
+    mutant("a split that forgets its last partial", Mismatch, Reduce("benign"),
+        "kernels/reduce.comp", "uint count = min(push.run, push.count - start);", "uint count = push.count - start < push.run ? 0u : push.run;"),
+    mutant("the last term of a run dropped", Mismatch, Reduce("alternating 1e30"),
+        "kernels/reduce.comp", "k < count", "k + 1u < count"),
+    mutant("infinities unseen", Mismatch, Reduce("any bits"),
+        "kernels/reduce.comp", "special += uint((bits & 0x7f800000u) == 0x7f800000u);", ""),
     mutant("a sum's second carry lost", Mismatch, Estimate("x-squared"),
         "corput/sum.glsl", "corput_addc(flip, high.y + w1.y)", "corput_addc(flip, high.y)"),
     mutant("the carry into a negative term's upper word lost", Mismatch, Estimate("genz-oscillatory"),

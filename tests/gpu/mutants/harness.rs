@@ -10,7 +10,9 @@ use corput::catalog::{
 };
 use corput::check::{self, Case, NATIVE, Row, arguments};
 use corput::interface::{Column, Kernel};
-use corput::kernels::{Estimator, Evaluator, Generator, Mapper, Pairs, VoidAndCluster, kernel};
+use corput::kernels::{
+    Estimator, Evaluator, Generator, Mapper, Pairs, Reducer, VoidAndCluster, kernel,
+};
 use corput::variant::{FusedMap, Plan, Work, general, general_estimate, plan, plan_estimate};
 use corput::vulkan::{Device, DeviceKind};
 use corput::{compile, headers};
@@ -77,6 +79,8 @@ pub enum Target {
     Pairs,
     /// The nearest pair.
     Nearest,
+    /// Exact sums of floats, of a set of terms by its name.
+    Reduce(&'static str),
 }
 
 /// How a module fared.
@@ -128,6 +132,15 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
             )?;
             Ok(best)
         }),
+        Target::Reduce(name) => {
+            let found = check::REDUCTIONS.iter().find(|one| one.name == name);
+            let reduction = found.unwrap_or_else(|| panic!("no reduction {name}"));
+            Reducer::with_module(device, *row(device, target), &words).and_then(|reducer| {
+                check::compare_reduction(reduction, &mut |terms, split| {
+                    Ok(vec![reducer.reduce_in(terms, split)?])
+                })
+            })
+        }
         Target::Mask => VoidAndCluster::with_module(device, &words)
             .and_then(|kernel| check::compare_mask(&kernel)),
         Target::Generate(options) | Target::Tile(options) => {
@@ -169,6 +182,7 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         }
         Target::Pairs => named("pairs"),
         Target::Nearest => named("nearest"),
+        Target::Reduce(_) => named("reduce"),
         Target::Mask => named("void_and_cluster"),
         Target::Generate(options) | Target::Tile(options) => {
             planned(device, target, &request(options)).kernel

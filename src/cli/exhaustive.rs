@@ -1,0 +1,118 @@
+//! `corput check --exhaustive`.
+
+use super::{host, interrupt, print, progress};
+use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use corput::check::{Verdict, figure};
+use corput::exhaustive::{self, About, Hash, Row};
+
+pub fn run(device: Option<&str>, only: Option<&str>, json: bool) -> anyhow::Result<()> {
+    let subjects = exhaustive::chosen(only)?;
+    interrupt::clean_up();
+    let device = host::open(device)?;
+    let bar = progress::steps();
+    let rows = exhaustive::run(
+        &device,
+        &subjects,
+        &mut |name, done, total| {
+            progress::step(&bar, name, done, total);
+            interrupt::stop(done, total)
+        },
+        &mut |row| bar.println(line(row)),
+    )?;
+    bar.finish_and_clear();
+    let about = About {
+        device: host::line(device.info()),
+        command: host::command(),
+    };
+    if json {
+        print(&serde_json::to_string_pretty(&exhaustive::json(
+            &about, &rows,
+        ))?);
+    } else {
+        print(&about.device);
+        print(&table(&rows).to_string());
+        print(&summary(&rows));
+    }
+    host::validated(device.instance())?;
+    Ok(exhaustive::result(&rows)?)
+}
+
+/// A row as the terminal sees it while others run.
+fn line(row: &Row) -> String {
+    format!("{} {}, {:.0} s", sign(row), row.name, row.seconds)
+}
+
+fn sign(row: &Row) -> &'static str {
+    match row.verdict {
+        Verdict::Passed => "ok",
+        Verdict::Failed => "FAILED",
+        Verdict::Refused(_) => "refused",
+    }
+}
+
+fn table(rows: &[Row]) -> Table {
+    let mut table = Table::new();
+    table
+        .load_style(presets::NOTHING)
+        .set_content_arrangement(ContentArrangement::Disabled)
+        .set_header([
+            "", "what", "compared", "differ", "worst", "bound", "unit", "at", "rounded", "unknown",
+            "hash", "s",
+        ]);
+    for row in rows {
+        let number = |value: Option<f64>| value.map_or(String::new(), figure);
+        let hash = match row.hash {
+            Hash::Equal => "published",
+            Hash::Unpublished => "not published",
+            Hash::Differs(_) => "DIFFERS",
+        };
+        let [.., undecided] = row.figures.roundings;
+        let correct = row.correct();
+        table.add_row([
+            sign(row).to_owned(),
+            row.name.clone(),
+            row.figures.compared.to_string(),
+            row.figures.mismatches.to_string(),
+            number(row.worst),
+            number(row.bound),
+            row.unit.to_owned(),
+            row.worst_at.clone(),
+            correct.map_or(String::new(), |share| format!("{:.4} %", 100.0 * share)),
+            correct.map_or(String::new(), |_| undecided.to_string()),
+            hash.to_owned(),
+            format!("{:.0}", row.seconds),
+        ]);
+        table.add_row(["", &format!("  {}", row.inputs)]);
+        match &row.verdict {
+            Verdict::Failed if !row.witness.is_empty() => {
+                table.add_row(["", &format!("  {}", row.witness)]);
+            }
+            Verdict::Refused(reason) => {
+                table.add_row(["", &format!("  {reason}")]);
+            }
+            _ => {}
+        }
+    }
+    for column in [2, 3, 4, 5, 8, 9, 11] {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table
+}
+
+fn summary(rows: &[Row]) -> String {
+    let count = |test: &dyn Fn(&&Row) -> bool| rows.iter().filter(test).count();
+    let differ: u64 = rows.iter().map(|row| row.figures.mismatches).sum();
+    let compared: u64 = rows.iter().map(|row| row.figures.compared).sum();
+    let seconds: f64 = rows.iter().map(|row| row.seconds).sum();
+    format!(
+        "{} of {} rows failed, {} refused; {differ} of {compared} results differ from the CPU's; the \
+         hashes of {} rows are the published ones, of {} none is published; {seconds:.0} s",
+        count(&|row| row.verdict == Verdict::Failed),
+        rows.len(),
+        count(&|row| matches!(row.verdict, Verdict::Refused(_))),
+        count(&|row| row.hash == Hash::Equal),
+        count(&|row| row.hash == Hash::Unpublished),
+    )
+}
