@@ -59,7 +59,10 @@ impl Truth {
     /// Results saturate at the largest float, and are 0 below the least normal one.
     #[must_use]
     pub fn judge(&self, got: f32) -> (f64, Rounding) {
-        let away = self.value.abs() * self.relative;
+        let away = match self.value.is_finite() {
+            true => self.value.abs() * self.relative,
+            false => 0.0,
+        };
         let (low, high) = (nearest(self.value - away), nearest(self.value + away));
         let rounding = match got {
             got if got != low && got != high => Rounding::Other,
@@ -215,7 +218,7 @@ mod tests {
         assert_eq!([below(-26), below(-24)], [f32::MIN_POSITIVE, 0.0]);
         let huge = Truth {
             value: f64::INFINITY,
-            relative: 0.0,
+            relative: 1e-15,
         };
         assert_eq!(huge.judge(f32::MAX).1, Rounding::Correct);
         let tiny = Truth {
