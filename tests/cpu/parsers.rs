@@ -11,7 +11,9 @@ use proptest::sample::Index;
 use std::path::{Path, PathBuf};
 
 /// A parser's folder of seeds, and what must hold of it.
-const PARSERS: [(&str, fn(&[u8])); 5] = [
+type Parser = (&'static str, fn(&[u8]));
+
+const PARSERS: [Parser; 5] = [
     ("exr", properties::exr),
     ("hdr", properties::hdr),
     ("npy", properties::npy),
