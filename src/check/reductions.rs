@@ -67,8 +67,9 @@ pub const REDUCTIONS: &[Reduction] = &[
     },
 ];
 
-/// Invocations of a group that are tried, besides the most that the device runs.
-const GROUPS: [u32; 5] = [32, 64, 128, 256, 512];
+/// Invocations of a group that are tried, besides the most that the device runs. Every device has
+/// six of them: Vulkan guarantees 128.
+const GROUPS: [u32; 8] = [1, 7, 32, 64, 96, 128, 256, 512];
 
 impl Reduction {
     /// The terms.
@@ -94,7 +95,8 @@ pub fn check(device: &Arc<Device>, reduction: &Reduction) -> Result<Row> {
     let largest = largest_group(device);
     let (runs, beyond): (Vec<u32>, Vec<u32>) = GROUPS.into_iter().partition(|g| *g <= largest);
     let mut sums = Vec::new();
-    for group in runs.into_iter().chain([largest]) {
+    let whole = Some(largest).filter(|largest| !runs.contains(largest));
+    for group in runs.into_iter().chain(whole) {
         sums.push(Reducer::with_group(device, group)?);
     }
     let mut row = compare_reduction(reduction, &mut |terms, split| {
