@@ -55,7 +55,7 @@ impl Card<'_> {
             "probe": probe_document(&self.outcome.probe),
             "kernels": kernels()?,
             "fingerprint": self.fingerprint(),
-            "failures": self.outcome.failures(),
+            "failures": self.failures(),
             "left_out": self.outcome.left_out,
             "not_proved": self.not_proved(),
             "rows": rows,
@@ -81,6 +81,19 @@ impl Card<'_> {
             hash.update(format!("{}\t{}\t{words}\n", row.name, row.kernel));
         }
         hexadecimal(&hash.finalize())
+    }
+
+    /// Rows, extreme inputs and statistics that failed.
+    #[must_use]
+    pub fn failures(&self) -> usize {
+        self.outcome.failures() + self.supplement.map_or(0, Supplement::failures)
+    }
+
+    /// The check as JUnit XML, of a device in words.
+    #[must_use]
+    pub fn junit(&self, device: &str) -> String {
+        let further = self.supplement.map_or_else(Vec::new, Supplement::cases);
+        junit(&self.outcome.rows, &self.outcome.left_out, &further, device)
     }
 
     /// What a reader might take for proved.
@@ -115,10 +128,7 @@ impl Card<'_> {
         let files = [
             ("report.json", format!("{document:#}\n")),
             ("report.html", page::page(self, &document)),
-            (
-                "junit.xml",
-                junit(&self.outcome.rows, &self.outcome.left_out, name),
-            ),
+            ("junit.xml", self.junit(name)),
         ];
         let mut written = Vec::new();
         for (name, text) in files {

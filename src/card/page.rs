@@ -33,7 +33,7 @@ fn summary(card: &Card) -> String {
     let compared: u64 = exact().map(|row| row.compared).sum();
     let differ: u64 = exact().filter_map(|row| row.mismatches).sum();
     let native = rows.iter().filter(|row| row.profile == "native").count();
-    let failures = card.outcome.failures() + card.supplement.map_or(0, Supplement::failures);
+    let failures = card.failures();
     let class = if failures == 0 { "passed" } else { "failed" };
     let verdict = match failures {
         0 => "Every row passed".to_owned(),

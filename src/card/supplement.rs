@@ -2,6 +2,7 @@
 //! statistics.
 
 use super::{Statistic, statistics};
+use crate::check::Further;
 use crate::extreme;
 use crate::vulkan::Device;
 use crate::{Error, Result};
@@ -26,6 +27,26 @@ impl Supplement {
             catalogue: extreme::run(device)?,
             statistics: statistics::statistics(device)?,
         })
+    }
+
+    /// Each of either as a case of JUnit's.
+    #[must_use]
+    pub fn cases(&self) -> Vec<Further> {
+        let input = |row: &extreme::Row| Further {
+            class: "extreme inputs",
+            name: format!("{} {}", row.case.number, row.case.input),
+            failure: row.failure.clone(),
+        };
+        let statistic = |one: &Statistic| Further {
+            class: "statistics",
+            name: format!("{}: {}", one.of, one.what),
+            failure: (!one.passes())
+                .then(|| format!("{} is not {} to {}", one.value, one.least, one.most)),
+        };
+        let inputs = self.catalogue.iter().map(input);
+        inputs
+            .chain(self.statistics.iter().map(statistic))
+            .collect()
     }
 
     /// Rows of either that failed.

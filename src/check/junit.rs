@@ -4,20 +4,32 @@ use super::{Row, Verdict};
 use crate::report::escape;
 use std::fmt::Write;
 
+/// A case that is no row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Further {
+    /// The class.
+    pub class: &'static str,
+    /// Its name.
+    pub name: String,
+    /// Why it failed; `None` if it passed.
+    pub failure: Option<String>,
+}
+
 /// One test suite, whose cases are the rows: failures with their witness, refused rows and
-/// those that there was no time for as skipped.
+/// those that there was no time for as skipped; and further ones.
 #[must_use]
-pub fn junit(rows: &[Row], left_out: &[String], device: &str) -> String {
+pub fn junit(rows: &[Row], left_out: &[String], further: &[Further], device: &str) -> String {
     let skipped = rows.iter().filter(|row| refused(row)).count() + left_out.len();
     let seconds: f64 = rows.iter().map(|row| row.seconds).sum();
     let mut xml = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"corput check, {}\" \
          tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{skipped}\" time=\"{seconds:.3}\">\n",
         escape(device),
-        rows.len() + left_out.len(),
+        rows.len() + left_out.len() + further.len(),
         rows.iter()
             .filter(|row| row.verdict == Verdict::Failed)
-            .count(),
+            .count()
+            + further.iter().filter(|one| one.failure.is_some()).count(),
     );
     for row in rows {
         // Writing to a String cannot fail, here and below.
@@ -28,6 +40,17 @@ pub fn junit(rows: &[Row], left_out: &[String], device: &str) -> String {
             xml,
             "<testcase classname=\"left out\" name=\"{}\"><skipped message=\"no time was left\"/></testcase>",
             escape(name)
+        );
+    }
+    for one in further {
+        let failure = one.failure.as_deref().map_or(String::new(), |why| {
+            format!("<failure message=\"{}\"/>", escape(why))
+        });
+        let _ = writeln!(
+            xml,
+            "<testcase classname=\"{}\" name=\"{}\">{failure}</testcase>",
+            escape(one.class),
+            escape(&one.name)
         );
     }
     xml + "</testsuite>\n</testsuites>\n"

@@ -45,16 +45,15 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     let whole = args.report.is_some() && args.only.is_none() && args.seconds.is_none();
     let supplement = whole.then(|| Supplement::measure(&device)).transpose()?;
     let line = host::line(device.info());
-    if let Some(junit) = junit {
-        let xml = check::junit(&outcome.rows, &outcome.left_out, &line);
-        junit.finish(xml.as_bytes())?;
-    }
     let card = Card {
         info: device.info(),
         outcome: &outcome,
         supplement: supplement.as_ref(),
         command: &host::command(),
     };
+    if let Some(junit) = junit {
+        junit.finish(card.junit(&line).as_bytes())?;
+    }
     if let Some(folder) = &args.report {
         card.write(folder)?;
     }

@@ -1,6 +1,6 @@
 //! A check as JUnit XML: failures, refusals, and what XML cannot hold.
 
-use corput::check::{Row, Verdict, junit};
+use corput::check::{Further, Row, Verdict, junit};
 
 #[test]
 fn every_end_of_a_row_is_told() {
@@ -11,14 +11,21 @@ fn every_end_of_a_row_is_told() {
     let mut refused = Row::exact("refused", "evaluate_frame");
     refused.verdict = Verdict::Refused("no & promise".into());
     let rows = [passed.judged(), failed.judged(), refused];
-    let xml = junit(&rows, &["later".to_owned()], "a \"device\"");
+    let further = [None, Some("1 < 2".to_owned())].map(|failure| Further {
+        class: "statistics",
+        name: "slope".into(),
+        failure,
+    });
+    let xml = junit(&rows, &["later".to_owned()], &further, "a \"device\"");
     for part in [
-        "tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"2\"",
+        "tests=\"6\" failures=\"2\" errors=\"0\" skipped=\"2\"",
         "a &quot;device&quot;",
         "<testcase classname=\"exact.evaluate\" name=\"passed\" time=\"0.000\"></testcase>",
         "name=\"failed &lt;&quot;&amp;&gt;\"",
         "<failure message=\"1 of 1 differ; worst error -, bound -\">0: 1, not &quot;2&quot; &lt; </failure>",
         "<skipped message=\"no &amp; promise\"/>",
+        "<testcase classname=\"statistics\" name=\"slope\"></testcase>",
+        "name=\"slope\"><failure message=\"1 &lt; 2\"/></testcase>",
         "<testcase classname=\"left out\" name=\"later\"><skipped message=\"no time was left\"/></testcase>",
     ] {
         assert!(xml.contains(part), "{part} is not in\n{xml}");
