@@ -10,16 +10,33 @@ pub fn run(device: Option<&str>, only: Option<&str>, json: bool) -> anyhow::Resu
     interrupt::clean_up();
     let device = host::open(device)?;
     let bar = progress::steps();
-    let rows = exhaustive::run(
+    let mut finished = Vec::new();
+    let found = exhaustive::run(
         &device,
         &subjects,
         &mut |name, done, total| {
             progress::step(&bar, name, done, total);
             interrupt::stop(done, total)
         },
-        &mut |row| bar.println(line(row)),
-    )?;
+        &mut |row| {
+            // A hidden bar prints nothing.
+            match bar.is_hidden() {
+                true => eprintln!("{}", line(row)),
+                false => bar.println(line(row)),
+            }
+            finished.push(row.clone());
+        },
+    );
     bar.finish_and_clear();
+    let rows = match found {
+        Ok(rows) => rows,
+        Err(error) => {
+            if !json && !finished.is_empty() {
+                print(&table(&finished).to_string());
+            }
+            return Err(error.into());
+        }
+    };
     let about = About {
         device: host::line(device.info()),
         command: host::command(),

@@ -2,8 +2,8 @@
 
 use super::judge::Judge;
 use super::row::{Figures, Row};
-use crate::Result;
 use crate::report::hexadecimal;
+use crate::{Error, Result};
 use sha2::{Digest, Sha256};
 use std::thread::ScopedJoinHandle;
 use std::time::{Duration, Instant};
@@ -40,7 +40,7 @@ pub fn compare(
     let mut figures = Figures::default();
     let mut hash = Sha256::new();
     let mut chunk = FIRST.min(inputs);
-    let (mut words, mut spent) = timed(source, 0, chunk)?;
+    let (mut words, mut spent) = timed(source, 0, chunk, judge.width())?;
     let mut done = 0;
     while done < inputs {
         watch(done, inputs)?;
@@ -49,7 +49,7 @@ pub fn compare(
         let (found, made) = std::thread::scope(|scope| {
             let made = scope.spawn(|| match next {
                 0 => Ok((Vec::new(), Duration::ZERO)),
-                next => timed(source, end, next),
+                next => timed(source, end, next, judge.width()),
             });
             let hashed = scope.spawn(|| take(&mut hash, &words));
             let found = judged(judge, done, &words);
@@ -66,9 +66,17 @@ pub fn compare(
     Ok(row)
 }
 
-fn timed(source: Source, start: u64, count: u64) -> Result<(Vec<u32>, Duration)> {
+/// Results of so many inputs, and the time that they took. Fewer words than that are an error:
+/// they would pass for inputs that were compared.
+fn timed(source: Source, start: u64, count: u64, width: usize) -> Result<(Vec<u32>, Duration)> {
     let begun = Instant::now();
-    Ok((source(start, count)?, begun.elapsed()))
+    let words = source(start, count)?;
+    if words.len() as u64 != count * width as u64 {
+        return Err(Error::Unequal {
+            what: format!("{} words for {count} inputs of {width}", words.len()),
+        });
+    }
+    Ok((words, begun.elapsed()))
 }
 
 /// Twice as many inputs as before, or half, or the same.

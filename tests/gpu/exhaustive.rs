@@ -274,7 +274,11 @@ fn only_whole_rows_are_published() {
         json!({ "name": name, "inputs": "all", "compared": 7, "mismatches": mismatches,
             "verdict": verdict, "hash": hash_is, "sha256": hash, "seconds": 1.0 })
     };
+    let mut beyond = row("beyond", "failed", "differs", 0);
+    beyond["worst"] = json!(2.0);
+    beyond["bound"] = json!(1.0);
     let document = json!({ "rows": [
+        beyond,
         row("new", "passed", "not published", 0),
         row("changed", "failed", "differs", 0),
         row("wrong", "failed", "differs", 1),
