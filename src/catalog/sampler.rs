@@ -78,6 +78,16 @@ impl Sampler {
         }
     }
 
+    /// Whether its points are independent of each other, so that their variance spreads as theory
+    /// has it.
+    #[must_use]
+    pub fn is_independent(self) -> bool {
+        matches!(
+            self.sequence,
+            Sequence::Random | Sequence::RandomFast | Sequence::Pcg32
+        )
+    }
+
     /// What its first `count` points lack that as many as a power of two have, in a sentence;
     /// `None` where nothing is lost.
     #[must_use]

@@ -48,6 +48,33 @@ pub struct Point {
     pub host_ns: Vec<f64>,
 }
 
+impl Cell {
+    /// Whether it can be a study's cell of this sampler: one that was kept in a file may be anything.
+    #[must_use]
+    pub fn fits(&self, study: &Study, sampler: Sampler) -> bool {
+        let replicates = match sampler.is_random() {
+            true => study.replicates(),
+            false => 1,
+        };
+        let times = |times: &[f64]| {
+            !times.is_empty() && times.iter().all(|time| time.is_finite() && *time >= 0.0)
+        };
+        let sound = |point: &Point| {
+            let [means, variances] = [&point.means, &point.variances].map(Vec::len);
+            means == replicates as usize
+                && variances == means
+                && times(&point.device_ns)
+                && times(&point.host_ns)
+        };
+        let refused = self.refused.iter().map(|(count, _)| *count);
+        let mut counts: Vec<u64> = self.points.iter().map(|point| point.count).collect();
+        let rising = counts.is_sorted();
+        counts.extend(refused);
+        counts.sort_unstable();
+        rising && counts == study.counts() && self.points.iter().all(sound)
+    }
+}
+
 /// Who sums: a device, or the reference on the CPU.
 pub enum Engine {
     /// The device.
@@ -159,25 +186,23 @@ impl Engine {
     /// that the cell runs. The CPU's reference has the bits of the kernels, and the tests demand
     /// it, so that it changes with that one.
     ///
+    /// Nothing of a sampler that has none of the counts.
+    ///
     /// # Errors
-    /// Those of a sampler that has none of the counts.
+    /// None, if the stock kernels are as built.
     pub fn program(&self, study: &Study, row: &Row, sampler: Sampler) -> Result<String> {
         let cpu = match self {
             Self::Device(device) => device.info().kind == DeviceKind::Cpu,
             Self::Cpu => true,
         };
         let dimensions = row.problem.dimensions();
-        let mut refusal = None;
-        for &count in study.counts() {
-            match sampler.request(dimensions, count, study.seed()) {
-                Ok(first) => {
-                    let kernel = Estimator::fingerprint(&row.problem, &first, cpu)?;
-                    return Ok(format!("{} {kernel}", env!("CARGO_PKG_VERSION")));
-                }
-                Err(error) => refusal = Some(error),
-            }
-        }
-        refusal.map_or(Ok(String::new()), Err)
+        let mut counts = study.counts().iter();
+        let first = counts.find_map(|&count| sampler.request(dimensions, count, study.seed()).ok());
+        let Some(first) = first else {
+            return Ok(String::new());
+        };
+        let kernel = Estimator::fingerprint(&row.problem, &first, cpu)?;
+        Ok(format!("{} {kernel}", env!("CARGO_PKG_VERSION")))
     }
 
     fn summer(&self, problem: &Problem, request: &Request) -> Result<Summer> {

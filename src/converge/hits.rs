@@ -26,8 +26,9 @@ pub struct Rarity {
 }
 
 impl Rarity {
-    /// Of an integrand with an estimator, by what its random samplers gave at their largest
-    /// counts: the least share, since nets spread their hits evenly. `None` without any.
+    /// Of an integrand with an estimator, by what samplers of independent points gave at their
+    /// largest counts: the least share. `None` without any, since points of nets meet what there
+    /// is more evenly than chance, and the spread of their variances tells of no hits.
     #[must_use]
     pub fn of<'a>(
         cells: impl Iterator<Item = &'a Cell>,
@@ -62,6 +63,9 @@ fn share(point: &Point, truth: &Truth) -> Option<f64> {
         .map(|(mean, variance)| variance + (mean - centre).powi(2));
     let squares: Vec<f64> = squares.collect();
     let level = squares.iter().sum::<f64>() / n;
+    if !level.is_finite() {
+        return None;
+    }
     if level == 0.0 {
         // All terms are alike: right, or without a hit.
         let right = (centre - truth.value).abs() <= truth.floor();

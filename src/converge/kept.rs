@@ -7,10 +7,11 @@
 use super::cell::{Cell, Point};
 use super::study::{Row, Study};
 use crate::catalog::Sampler;
-use crate::report::hexadecimal;
+use crate::report::{hexadecimal, save};
 use crate::{Error, Result};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
+use std::collections::HashSet;
 use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -20,6 +21,8 @@ pub struct Kept {
     path: PathBuf,
     file: File,
     lines: Vec<Line>,
+    /// Keys of this run.
+    used: HashSet<String>,
     outdated: u64,
 }
 
@@ -58,6 +61,7 @@ impl Kept {
             path: path.to_owned(),
             file,
             lines: text.lines().filter_map(read).collect(),
+            used: HashSet::new(),
             outdated: 0,
         })
     }
@@ -72,6 +76,7 @@ impl Kept {
     ///
     /// [`Engine::program`]: super::Engine::program
     pub fn get(&mut self, key: &str, program: &str) -> Option<Cell> {
+        self.used.insert(key.to_owned());
         let mut found = self.lines.iter().filter(|line| line.key == key).peekable();
         let known = found.peek().is_some();
         let cell = found.find(|line| line.program == program);
@@ -90,32 +95,50 @@ impl Kept {
     /// # Errors
     /// [`Error::Io`] where it cannot be written.
     pub fn add(&mut self, key: &str, program: &str, cell: &Cell) -> Result<()> {
-        let value = json!({ "key": key, "program": program, "cell": document(cell) });
+        let line = Line {
+            key: key.to_owned(),
+            program: program.to_owned(),
+            cell: cell.clone(),
+        };
         self.file
-            .write_all(format!("{value}\n").as_bytes())
+            .write_all(line.text().as_bytes())
             .map_err(|source| Error::Io {
                 action: "write",
                 path: self.path.clone(),
                 source,
             })?;
-        self.lines.push(Line {
-            key: key.to_owned(),
-            program: program.to_owned(),
-            cell: cell.clone(),
-        });
+        self.used.insert(line.key.clone());
+        self.lines.push(line);
         Ok(())
     }
 
-    /// Removes the file: its study is complete.
+    /// Removes the cells that this run asked for or added, since its study is complete, and the
+    /// file where no other study's are left.
     ///
     /// # Errors
     /// [`Error::Io`].
     pub fn remove(self) -> Result<()> {
+        let others = self
+            .lines
+            .iter()
+            .filter(|line| !self.used.contains(&line.key));
+        let rest: String = others.map(Line::text).collect();
+        if !rest.is_empty() {
+            return save(&self.path, rest.as_bytes());
+        }
         std::fs::remove_file(&self.path).map_err(|source| Error::Io {
             action: "remove",
             path: self.path,
             source,
         })
+    }
+}
+
+impl Line {
+    fn text(&self) -> String {
+        let value =
+            json!({ "key": self.key, "program": self.program, "cell": document(&self.cell) });
+        format!("{value}\n")
     }
 }
 
@@ -249,6 +272,23 @@ mod tests {
         assert_eq!(third.get("a", "1"), Some(cell(0.1)));
         assert_eq!(again.outdated() + third.outdated(), 0);
         third.remove().unwrap();
+        assert!(!path.exists());
+    }
+
+    #[test]
+    fn cells_of_another_study_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cells.jsonl");
+        let mut kept = Kept::open(&path).unwrap();
+        kept.add("a", "1", &cell(0.1)).unwrap();
+        kept.add("b", "1", &cell(0.2)).unwrap();
+        let mut other = Kept::open(&path).unwrap();
+        assert!(other.get("a", "1").is_some() && other.get("c", "1").is_none());
+        other.remove().unwrap();
+        let mut left = Kept::open(&path).unwrap();
+        assert_eq!(left.get("a", "1"), None);
+        assert_eq!(left.get("b", "1"), Some(cell(0.2)));
+        left.remove().unwrap();
         assert!(!path.exists());
     }
 

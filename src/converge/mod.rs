@@ -66,7 +66,10 @@ pub fn run(
             let name = format!("{}, {}", row.name, sampler.name());
             let key = key(study, row, sampler, &setting.device);
             let program = engine.program(study, row, sampler)?;
-            let known = kept.as_mut().and_then(|kept| kept.get(&key, &program));
+            let known = kept
+                .as_mut()
+                .and_then(|kept| kept.get(&key, &program))
+                .filter(|cell| cell.fits(study, sampler));
             let cell = match known {
                 Some(cell) => cell,
                 None => {
@@ -82,8 +85,12 @@ pub fn run(
             cells.push((sampler, cell));
             watch(&name, (series.len() + cells.len()) as u64, total)?;
         }
-        let random = cells.iter().filter(|(sampler, _)| sampler.is_random());
-        let rarity = Rarity::of(random.map(|(_, cell)| cell), &truth, study.replicates());
+        let independent = cells.iter().filter(|(sampler, _)| sampler.is_independent());
+        let rarity = Rarity::of(
+            independent.map(|(_, cell)| cell),
+            &truth,
+            study.replicates(),
+        );
         let made = cells
             .into_iter()
             .map(|(sampler, cell)| Series::new(row, sampler, truth, cell, rarity));

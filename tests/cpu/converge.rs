@@ -339,6 +339,42 @@ fn a_study_that_was_cut_off_ends_with_the_same_errors() {
     assert_eq!(again.document(), resumed.document());
 }
 
+/// What is in the file of a study that was cut off may be anything.
+#[test]
+fn a_kept_cell_that_cannot_be_is_measured_anew() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cells.jsonl");
+    let study = study(vec![row("disk-step", &["random"])], [16, 64], 4);
+    let goes_on = || {
+        let mut kept = Kept::open(&path).unwrap();
+        let setting = Setting::new(&study, "cpu".into(), "test".into());
+        let watch = &mut |_: &str, _, _| Ok(());
+        converge::run(&Engine::Cpu, &study, setting, Some(&mut kept), watch).unwrap()
+    };
+    let first = goes_on();
+    let text = std::fs::read_to_string(&path).unwrap();
+    let times = text.find("\"device_ns\":[").expect("times") + 13;
+    let mut negative = text.clone();
+    negative.insert(times, '-');
+    let empty = text.replacen(
+        &text[times..times + text[times..].find(']').expect("an end")],
+        "",
+        1,
+    );
+    for harmed in [
+        text.replace("\"count\":16", "\"count\":15"),
+        negative,
+        empty,
+    ] {
+        assert_ne!(harmed, text);
+        std::fs::write(&path, &harmed).unwrap();
+        let again = goes_on();
+        assert_eq!(without_times(&again), without_times(&first));
+        let lines = std::fs::read_to_string(&path).unwrap().lines().count();
+        assert_eq!(lines, 2, "measured anew");
+    }
+}
+
 /// A cell that another kernel summed is measured anew, the others are taken.
 #[test]
 fn a_changed_kernel_is_not_mixed_with_old_cells() {

@@ -45,6 +45,10 @@ fn is_figure(name: &str) -> bool {
 pub fn remove(folder: &Path, names: &[String], kept: &[String]) -> Result<()> {
     for name in names.iter().filter(|name| !kept.contains(name)) {
         let path = folder.join(name);
+        // Whatever else has such a name is none of ours.
+        if !path.symlink_metadata().is_ok_and(|found| found.is_file()) {
+            continue;
+        }
         match std::fs::remove_file(&path) {
             Err(source) if source.kind() != std::io::ErrorKind::NotFound => {
                 return Err(Error::Io {
