@@ -113,6 +113,15 @@ fn compared(one: &Path, other: &Path, json: bool) -> anyhow::Result<()> {
     Ok(found.result()?)
 }
 
+/// How a row ended, in a word.
+pub fn sign(verdict: &Verdict) -> &'static str {
+    match verdict {
+        Verdict::Passed => "ok",
+        Verdict::Failed => "FAILED",
+        Verdict::Refused(_) => "refused",
+    }
+}
+
 fn table(outcome: &Outcome) -> Table {
     let mut table = Table::new();
     table
@@ -123,13 +132,8 @@ fn table(outcome: &Outcome) -> Table {
         ]);
     for row in &outcome.rows {
         let number = |value: Option<f64>| value.map_or(String::new(), figure);
-        let sign = match &row.verdict {
-            Verdict::Passed => "ok",
-            Verdict::Failed => "FAILED",
-            Verdict::Refused(_) => "refused",
-        };
         table.add_row([
-            sign.to_owned(),
+            sign(&row.verdict).to_owned(),
             row.name.clone(),
             row.kernel.clone(),
             row.tier.to_owned(),

@@ -1,5 +1,6 @@
 //! `corput check --exhaustive`.
 
+use super::check::sign;
 use super::{host, interrupt, print, progress};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use corput::check::{Verdict, figure};
@@ -56,15 +57,7 @@ pub fn run(device: Option<&str>, only: Option<&str>, json: bool) -> anyhow::Resu
 
 /// A row as the terminal sees it while others run.
 fn line(row: &Row) -> String {
-    format!("{} {}, {:.0} s", sign(row), row.name, row.seconds)
-}
-
-fn sign(row: &Row) -> &'static str {
-    match row.verdict {
-        Verdict::Passed => "ok",
-        Verdict::Failed => "FAILED",
-        Verdict::Refused(_) => "refused",
-    }
+    format!("{} {}, {:.0} s", sign(&row.verdict), row.name, row.seconds)
 }
 
 fn table(rows: &[Row]) -> Table {
@@ -86,7 +79,7 @@ fn table(rows: &[Row]) -> Table {
         let [.., undecided] = row.figures.roundings;
         let correct = row.correct();
         table.add_row([
-            sign(row).to_owned(),
+            sign(&row.verdict).to_owned(),
             row.name.clone(),
             row.figures.compared.to_string(),
             row.figures.mismatches.to_string(),
