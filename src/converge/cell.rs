@@ -44,7 +44,7 @@ pub struct Point {
     /// Nanoseconds on the device of each dispatch that summed one replicate, warm; on the
     /// CPU, of each sum.
     pub device_ns: Vec<f64>,
-    /// The same with the host's work around it.
+    /// The same with the host's work around it, of which each replicate has an equal part.
     pub host_ns: Vec<f64>,
 }
 
@@ -133,7 +133,7 @@ impl Engine {
                     let mut made = self.summer(&row.problem, &first)?;
                     cell.setup_ms = begun.elapsed().as_secs_f64() * 1e3;
                     let begun = Instant::now();
-                    made.sum(&row.problem, &first)?;
+                    made.sum(&row.problem, std::slice::from_ref(&first), watch)?;
                     cell.first_ms = begun.elapsed().as_secs_f64() * 1e3;
                     none.insert(made)
                 }
@@ -143,6 +143,7 @@ impl Engine {
                 true => study.replicates(),
                 false => REPEATS.min(study.replicates()),
             };
+            let requests = (0..dispatches).map(request).collect::<Result<Vec<_>>>()?;
             let mut sums = Vec::new();
             let mut point = Point {
                 count,
@@ -151,19 +152,16 @@ impl Engine {
                 device_ns: Vec::new(),
                 host_ns: Vec::new(),
             };
-            for replicate in 0..dispatches {
-                watch()?;
-                let request = request(replicate)?;
-                let begun = Instant::now();
-                let (sum, timing) = summer.sum(&row.problem, &request)?;
-                point.host_ns.push(begun.elapsed().as_secs_f64() * 1e9);
-                point
-                    .device_ns
-                    .push(timing.device_ns.unwrap_or(timing.host_ns));
-                if replicate == 0 && count <= CHECKED {
-                    self.verify(&row.problem, &request, &sum, &what)?;
-                }
+            for (sum, timing) in summer.sum(&row.problem, &requests, watch)? {
+                point.host_ns.push(timing.host_ns);
+                let device_ns = timing.device_ns.unwrap_or(timing.host_ns);
+                point.device_ns.push(device_ns);
                 sums.push(sum);
+            }
+            if let (Some(request), Some(sum), true) =
+                (requests.first(), sums.first(), count <= CHECKED)
+            {
+                self.verify(&row.problem, request, sum, &what)?;
             }
             if !sampler.is_random() {
                 repeated(&sums, &what)?;
@@ -241,25 +239,28 @@ enum Summer {
 }
 
 impl Summer {
-    /// All points of a request.
-    fn sum(&mut self, problem: &Problem, request: &Request) -> Result<(Estimate, Timing)> {
+    /// All points of each request.
+    fn sum(
+        &mut self,
+        problem: &Problem,
+        requests: &[Request],
+        watch: &mut dyn FnMut() -> Result<()>,
+    ) -> Result<Vec<(Estimate, Timing)>> {
         match self {
-            Self::Device(estimator) => {
-                estimator.set_request(request)?;
-                estimator.run(0, request.count, &mut |_| Ok(()))
-            }
-            Self::Cpu => {
-                let begun = Instant::now();
-                let sum = bulk::estimate(problem, request, 0, request.count)?;
-                let host_ns = begun.elapsed().as_secs_f64() * 1e9;
-                Ok((
-                    sum,
-                    Timing {
+            Self::Device(estimator) => estimator.run_each(requests, &mut |_| watch()),
+            Self::Cpu => requests
+                .iter()
+                .map(|request| {
+                    watch()?;
+                    let begun = Instant::now();
+                    let sum = bulk::estimate(problem, request, 0, request.count)?;
+                    let timing = Timing {
                         device_ns: None,
-                        host_ns,
-                    },
-                ))
-            }
+                        host_ns: begun.elapsed().as_secs_f64() * 1e9,
+                    };
+                    Ok((sum, timing))
+                })
+                .collect(),
         }
     }
 }

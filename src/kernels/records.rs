@@ -9,7 +9,7 @@ pub(super) const FIRST: u64 = 1 << 14;
 
 /// A dispatch should take about this long, and is made at most so many times longer at
 /// once.
-const TARGET_NS: f64 = 1e8;
+pub(super) const TARGET_NS: f64 = 1e8;
 const GROWTH: f64 = 8.0;
 
 /// Invocations that keep a GPU busy.
@@ -24,11 +24,22 @@ pub(super) const RECORD: u64 = 48;
 /// The sums of so many invocations, of terms in units of 2^-scale.
 pub(super) fn read(results: &mut Buffer, invocations: u64, scale: i32) -> Result<Vec<Estimate>> {
     results.read(0, RECORD * invocations, |bytes| {
-        let words: Vec<[u32; 12]> = bytemuck::pod_collect_to_vec(bytes);
-        let record = |[a, b, c, d, e, f, g, h, i, j, count, _]: [u32; 12]| {
-            Estimate::from_words(count, scale, [a, b, c, d], [e, f, g, h, i, j])
-        };
-        words.into_iter().map(record).collect()
+        records(bytes, scale).collect()
+    })
+}
+
+/// All of them together.
+pub(super) fn total(results: &mut Buffer, invocations: u64, scale: i32) -> Result<Estimate> {
+    results.read(0, RECORD * invocations, |bytes| {
+        records(bytes, scale).try_fold(Estimate::new(scale), Estimate::merged)
+    })?
+}
+
+fn records(bytes: &[u8], scale: i32) -> impl Iterator<Item = Estimate> {
+    bytes.chunks_exact(RECORD as usize).map(move |record| {
+        let [a, b, c, d, e, f, g, h, i, j, count, _]: [u32; 12] =
+            bytemuck::pod_read_unaligned(record);
+        Estimate::from_words(count, scale, [a, b, c, d], [e, f, g, h, i, j])
     })
 }
 

@@ -171,7 +171,7 @@ impl Buffer {
             return self.main.fill(0, self.bytes, |bytes| bytes.fill(0));
         }
         let (device, raw) = (&self.device, self.main.raw);
-        let filled = device.submit(false, |_, commands| {
+        let filled = device.submit(0, |_, commands| {
             // SAFETY: the command buffer is recording, and the buffer, which is a
             // transfer destination, lives until the submission has ended.
             unsafe {
@@ -224,7 +224,7 @@ impl fmt::Debug for Buffer {
 }
 
 fn copy(device: &Device, from: vk::Buffer, to: vk::Buffer, region: vk::BufferCopy) -> Result<()> {
-    let copied = device.submit(false, |_, commands| {
+    let copied = device.submit(0, |_, commands| {
         // SAFETY: the command buffer is recording; both buffers live until the
         // submission has ended, and the region lies within both.
         unsafe { device.raw().cmd_copy_buffer(commands, from, to, &[region]) };

@@ -7,7 +7,8 @@ use super::buffer::Buffer;
 use super::descriptor::{self, DescriptorSet};
 use super::device::Device;
 use super::pipeline::Pipeline;
-use super::{failed, refused};
+use super::submit::Edge;
+use super::{MAX_BATCH, failed, refused};
 use crate::error::{Error, Result};
 
 /// How long one dispatch took.
@@ -18,6 +19,17 @@ pub struct Timing {
     pub device_ns: Option<f64>,
     /// Nanoseconds of the whole call on the host: record, submit, wait.
     pub host_ns: f64,
+}
+
+/// What a dispatch of a pipeline takes, for [`Device::run_batch`].
+#[derive(Clone, Copy, Debug)]
+pub struct Dispatch<'a> {
+    /// A buffer for each binding.
+    pub buffers: &'a [(u32, &'a Buffer)],
+    /// Push constants.
+    pub push: &'a [u8],
+    /// Workgroups; none does nothing.
+    pub groups: u64,
 }
 
 impl Device {
@@ -43,30 +55,83 @@ impl Device {
         groups: u64,
     ) -> Result<Timing> {
         let start = Instant::now();
-        descriptor::check_owner(self, pipeline, buffers)?;
-        descriptor::check_bindings(pipeline, buffers.iter().map(|one| one.0))?;
-        check_push(pipeline, push)?;
-        let Some(counts) = split(self, groups)? else {
-            return Ok(Timing::default());
+        let one = Dispatch {
+            buffers,
+            push,
+            groups,
         };
-        let device_ns = self.submit(true, |lane, commands| {
+        if groups == 0 {
+            self.check(pipeline, &one)?;
+            return Ok(Timing::default());
+        }
+        let device_ns = self.run_batch(pipeline, &[one])?.first().copied().flatten();
+        Ok(Timing {
+            device_ns,
+            host_ns: start.elapsed().as_nanos() as f64,
+        })
+    }
+
+    /// Runs several dispatches of a pipeline, one after the other as by [`Device::run`], in one
+    /// submission, which the host pays once. Returns what the device's clock says of each: its
+    /// nanoseconds, from when the one before has ended; `None` as in [`Timing::device_ns`].
+    ///
+    /// The [wait limit](Device::wait_limit) is that of all together.
+    ///
+    /// # Errors
+    /// Those of [`Device::run`], before anything is run; [`Error::Arguments`] for more than
+    /// [`MAX_BATCH`] dispatches.
+    pub fn run_batch(
+        &self,
+        pipeline: &Pipeline,
+        dispatches: &[Dispatch],
+    ) -> Result<Vec<Option<f64>>> {
+        if dispatches.len() > MAX_BATCH {
+            return Err(refused(
+                format!("a batch of {} dispatches", dispatches.len()),
+                format!("the most is {MAX_BATCH}"),
+                "use several batches",
+            ));
+        }
+        let counts = dispatches
+            .iter()
+            .map(|one| self.check(pipeline, one))
+            .collect::<Result<Vec<_>>>()?;
+        if dispatches.is_empty() {
+            return Ok(Vec::new());
+        }
+        self.submit(dispatches.len(), |lane, commands| {
             // SAFETY: the pool is the lane's, whose last submission has ended.
             unsafe {
                 self.raw()
                     .reset_descriptor_pool(lane.descriptors, vk::DescriptorPoolResetFlags::empty())
             }
             .map_err(failed("vkResetDescriptorPool"))?;
-            let ranges = descriptor::ranges(buffers);
-            let set = descriptor::allocate(self, lane.descriptors, pipeline, &ranges)?;
-            // SAFETY: the command buffer is recording, the set was made for this
-            // pipeline, and all of it lives until the submission has ended.
-            unsafe { write(self, commands, pipeline, set, push, counts) };
+            for (span, (one, counts)) in dispatches.iter().zip(counts).enumerate() {
+                let ranges = descriptor::ranges(one.buffers);
+                let set = descriptor::allocate(self, lane.descriptors, pipeline, &ranges)?;
+                // SAFETY: the command buffer is recording, the set was made for this
+                // pipeline, and all of it lives until the submission has ended.
+                unsafe {
+                    if span > 0 {
+                        barrier(self, commands);
+                    }
+                    lane.stamp(self.raw(), commands, span, Edge::Begin);
+                    if let Some(counts) = counts {
+                        write(self, commands, pipeline, set, one.push, counts);
+                    }
+                    lane.stamp(self.raw(), commands, span, Edge::End);
+                }
+            }
             Ok(())
-        })?;
-        Ok(Timing {
-            device_ns,
-            host_ns: start.elapsed().as_nanos() as f64,
         })
+    }
+
+    /// The size of a dispatch that fits its pipeline; `None` of no groups.
+    fn check(&self, pipeline: &Pipeline, one: &Dispatch) -> Result<Option<(u32, u32)>> {
+        descriptor::check_owner(self, pipeline, one.buffers)?;
+        descriptor::check_bindings(pipeline, one.buffers.iter().map(|one| one.0))?;
+        check_push(pipeline, one.push)?;
+        split(self, one.groups)
     }
 }
 

@@ -76,7 +76,7 @@ pub use ash;
 pub use buffer::{Access, Buffer};
 pub use descriptor::DescriptorSet;
 pub use device::Device;
-pub use dispatch::{Timing, barrier, record};
+pub use dispatch::{Dispatch, Timing, barrier, record};
 pub use info::{DeviceInfo, DeviceKind, Features, FloatControls, Limits};
 pub use instance::{Instance, InstanceOptions};
 pub use pipeline::{Pipeline, PipelineDescription};
@@ -91,6 +91,9 @@ pub const WAIT_SECONDS: u64 = 30;
 
 /// Most buffers that one pipeline of this module may bind.
 pub const MAX_BINDINGS: usize = 16;
+
+/// Most dispatches of one [`Device::run_batch`].
+pub const MAX_BATCH: usize = 64;
 
 /// Most bytes of a uniform block: what every device allows.
 pub const UNIFORM_BYTES: u64 = 16384;

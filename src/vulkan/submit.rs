@@ -5,7 +5,7 @@ use std::sync::PoisonError;
 use std::sync::atomic::Ordering;
 
 use super::device::Device;
-use super::{MAX_BINDINGS, descriptor, dispatch, failed};
+use super::{MAX_BATCH, MAX_BINDINGS, descriptor, dispatch, failed};
 use crate::error::{Error, Result};
 
 /// The objects that one submission at a time uses again and again.
@@ -14,12 +14,19 @@ pub(super) struct Lane {
     pool: vk::CommandPool,
     commands: vk::CommandBuffer,
     fence: vk::Fence,
-    /// Null where the queue has no timestamps.
+    /// Null where the queue has no timestamps; else two for each of [`MAX_BATCH`] dispatches.
     queries: vk::QueryPool,
-    /// Room for one set of [`MAX_BINDINGS`] buffers.
+    /// Room for [`MAX_BATCH`] sets of [`MAX_BINDINGS`] buffers.
     pub(super) descriptors: vk::DescriptorPool,
     /// Submitted, and not seen to end.
     pending: bool,
+}
+
+/// An end of what is timed.
+#[derive(Clone, Copy)]
+pub(super) enum Edge {
+    Begin,
+    End,
 }
 
 impl Lane {
@@ -57,14 +64,14 @@ impl Lane {
         if device.info().limits.timestamp_valid_bits > 0 {
             let queries = vk::QueryPoolCreateInfo::default()
                 .query_type(vk::QueryType::TIMESTAMP)
-                .query_count(2);
+                .query_count(2 * MAX_BATCH as u32);
             // SAFETY: the device is alive, and its queue has timestamps.
             self.queries = unsafe { raw.create_query_pool(&queries, None) }
                 .map_err(failed("vkCreateQueryPool"))?;
         }
-        let sizes = descriptor::pool_sizes(MAX_BINDINGS as u32);
+        let sizes = descriptor::pool_sizes((MAX_BATCH * MAX_BINDINGS) as u32);
         let descriptors = vk::DescriptorPoolCreateInfo::default()
-            .max_sets(1)
+            .max_sets(MAX_BATCH as u32)
             .pool_sizes(&sizes);
         // SAFETY: the device is alive.
         self.descriptors = unsafe { raw.create_descriptor_pool(&descriptors, None) }
@@ -81,6 +88,30 @@ impl Lane {
             raw.destroy_query_pool(self.queries, None);
             raw.destroy_fence(self.fence, None);
             raw.destroy_command_pool(self.pool, None);
+        }
+    }
+
+    /// Reads the clock before or after dispatch number `span`, where there is one.
+    ///
+    /// # Safety
+    /// `commands` is the lane's, recording, and `span` is one of those that the submission
+    /// was said to have.
+    pub(super) unsafe fn stamp(
+        &self,
+        raw: &ash::Device,
+        commands: vk::CommandBuffer,
+        span: usize,
+        end: Edge,
+    ) {
+        // Once all that was recorded before has ended: the top of the pipe would not wait for
+        // the span before.
+        let stage = vk::PipelineStageFlags::BOTTOM_OF_PIPE;
+        let query = 2 * span as u32 + end as u32;
+        if self.queries != vk::QueryPool::null() {
+            // SAFETY: the caller's, and the queries were reset in these commands.
+            unsafe {
+                raw.cmd_write_timestamp(commands, stage, self.queries, query);
+            }
         }
     }
 
@@ -122,41 +153,37 @@ impl Device {
         }
     }
 
-    /// Records with `fill`, submits and waits. Returns the device's nanoseconds
-    /// between both ends of what `fill` recorded, if `timed` and if it can tell.
+    /// Records with `fill`, submits and waits. Returns the device's nanoseconds between both
+    /// ends of each of so many spans, which `fill` marks by [`Lane::stamp`]; `None` where the
+    /// device cannot tell.
     pub(super) fn submit(
         &self,
-        timed: bool,
+        spans: usize,
         fill: impl FnOnce(&Lane, vk::CommandBuffer) -> Result<()>,
-    ) -> Result<Option<f64>> {
+    ) -> Result<Vec<Option<f64>>> {
         let mut lane = self.lane.lock().unwrap_or_else(PoisonError::into_inner);
         self.check_alive()?;
         if lane.pending {
             lane.wait(self)?;
         }
         let (raw, commands, queries) = (self.raw(), lane.commands, lane.queries);
-        let timed = timed && queries != vk::QueryPool::null();
+        let timed = spans > 0 && queries != vk::QueryPool::null();
         let begin = vk::CommandBufferBeginInfo::default()
             .flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
         // SAFETY: nothing of the lane is pending, the lock keeps others away, and
-        // both queries are reset before they are written.
+        // the queries are reset before they are written.
         unsafe {
             raw.reset_command_pool(lane.pool, vk::CommandPoolResetFlags::empty())
                 .map_err(failed("vkResetCommandPool"))?;
             raw.begin_command_buffer(commands, &begin)
                 .map_err(failed("vkBeginCommandBuffer"))?;
             if timed {
-                raw.cmd_reset_query_pool(commands, queries, 0, 2);
-                raw.cmd_write_timestamp(commands, vk::PipelineStageFlags::TOP_OF_PIPE, queries, 0);
+                raw.cmd_reset_query_pool(commands, queries, 0, 2 * spans as u32);
             }
         }
         fill(&lane, commands)?;
         // SAFETY: as above; the command buffer is recording.
         unsafe {
-            if timed {
-                let end = vk::PipelineStageFlags::BOTTOM_OF_PIPE;
-                raw.cmd_write_timestamp(commands, end, queries, 1);
-            }
             dispatch::barrier(self, commands);
             raw.end_command_buffer(commands)
                 .map_err(failed("vkEndCommandBuffer"))?;
@@ -172,30 +199,37 @@ impl Device {
         lane.pending = true;
         lane.wait(self)?;
         match timed {
-            true => self.elapsed(queries),
-            false => Ok(None),
+            true => self.elapsed(queries, spans),
+            false => Ok(vec![None; spans]),
         }
     }
 
-    /// Nanoseconds between both timestamps; `None` where they cannot be read.
-    fn elapsed(&self, queries: vk::QueryPool) -> Result<Option<f64>> {
-        let mut ticks = [0u64; 2];
-        // SAFETY: the pool holds two queries, and the submission that wrote them
+    /// Nanoseconds between both timestamps of each span; `None` where they cannot be read.
+    fn elapsed(&self, queries: vk::QueryPool, spans: usize) -> Result<Vec<Option<f64>>> {
+        let mut ticks = vec![[0u64; 2]; spans];
+        // SAFETY: the pool holds so many queries, and the submission that wrote them
         // has ended.
         let read = unsafe {
-            self.raw()
-                .get_query_pool_results(queries, 0, &mut ticks, vk::QueryResultFlags::TYPE_64)
+            self.raw().get_query_pool_results(
+                queries,
+                0,
+                ticks.as_flattened_mut(),
+                vk::QueryResultFlags::TYPE_64,
+            )
         };
         match read {
             Ok(()) => {}
             Err(code @ vk::Result::ERROR_DEVICE_LOST) => {
                 return Err(self.heard("vkGetQueryPoolResults", code));
             }
-            Err(_) => return Ok(None),
+            Err(_) => return Ok(vec![None; spans]),
         }
         let limits = &self.info().limits;
-        let ticks = tick_difference(ticks[0], ticks[1], limits.timestamp_valid_bits);
-        Ok(Some(ticks as f64 * f64::from(limits.timestamp_period_ns)))
+        let nanoseconds = |[begin, end]: [u64; 2]| {
+            let ticks = tick_difference(begin, end, limits.timestamp_valid_bits);
+            Some(ticks as f64 * f64::from(limits.timestamp_period_ns))
+        };
+        Ok(ticks.into_iter().map(nanoseconds).collect())
     }
 }
 

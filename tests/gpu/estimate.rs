@@ -501,3 +501,59 @@ fn what_does_not_fit_is_refused() {
         assert_eq!(none.count(), 0);
     });
 }
+
+/// Requests that share submissions, and those that do not.
+#[test]
+fn sums_of_several_requests_are_those_of_each() {
+    support::on_each_device(|device| {
+        let problem = problem("genz-gaussian:d=3");
+        let request =
+            |turn: u64| points(&problem, Some(Scramble::OwenHash), turn, 1000 + 37 * turn);
+        let mut requests: Vec<Request> = (0..70).map(request).collect();
+        // Longer than what the first dispatch may sum.
+        requests.insert(40, points(&problem, Some(Scramble::OwenHash), 5, 200_000));
+        let mut estimator = Estimator::new(device, &problem, &requests[0]).expect("an estimator");
+        let mut heard = Vec::new();
+        for round in 0..3 {
+            heard.clear();
+            let watch = &mut |done| {
+                heard.push(done);
+                Ok(())
+            };
+            let sums = estimator.run_each(&requests, watch).expect("sums");
+            assert_eq!(sums.len(), requests.len());
+            for (request, (sum, timing)) in requests.iter().zip(&sums) {
+                let cpu = bulk::estimate(&problem, request, 0, request.count).expect("sums");
+                assert_eq!(*sum, cpu, "{} points, round {round}", request.count);
+                assert!(timing.host_ns > 0.0);
+            }
+            let last = requests.last().expect("one");
+            let (again, _) = estimator.run(0, last.count, &mut |_| Ok(())).expect("sums");
+            assert_eq!(again, sums.last().expect("one").0);
+        }
+        // Some share, however slow the device is; the long one does not.
+        assert!(heard.is_sorted(), "{heard:?}");
+        let clock = device.info().limits.timestamp_valid_bits > 0;
+        assert!(!clock || heard.len() < requests.len(), "{heard:?}");
+        assert!(
+            estimator
+                .run_each(&[], &mut |_| Ok(()))
+                .is_ok_and(|sums| sums.is_empty())
+        );
+
+        let stop = |done| match done {
+            0 => Ok(()),
+            _ => Err(corput::Error::Interrupted { done: 0, total: 0 }),
+        };
+        assert!(estimator.run_each(&requests, &mut { stop }).is_err());
+        let wide = points(
+            &self::problem("genz-gaussian:d=4"),
+            Some(Scramble::OwenHash),
+            0,
+            1000,
+        );
+        let refused = [request(0), request(1), wide];
+        let code = |result: corput::Result<_>| result.map(|_| ()).map_err(|e| e.exit_code());
+        assert_eq!(code(estimator.run_each(&refused, &mut |_| Ok(()))), Err(2));
+    });
+}

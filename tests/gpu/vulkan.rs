@@ -1,5 +1,7 @@
 //! The Vulkan host on every device present, under validation.
 
+#[path = "vulkan/batch.rs"]
+mod batch;
 #[path = "support.rs"]
 mod support;
 

@@ -6,7 +6,7 @@ use corput::vulkan::{Access, Buffer, Device};
 
 use super::plan::{Fault, Lie};
 use super::work::{
-    ALL, STILL, assert_failed, estimator, everything, generator, is_the_sum, made, on_each,
+    ALL, STILL, assert_failed, check, estimator, everything, generator, is_the_sum, made, on_each,
 };
 
 /// A driver on the CPU that says that it is a card: buffers are not mapped but copied.
@@ -57,7 +57,6 @@ fn a_check_that_runs_out_of_memory_says_so() {
     on_each(|session, instance, info| {
         let device = Device::open(instance, info).expect("a device");
         device.keep_pipelines();
-        let (_, check) = ALL[3];
         for nth in [1, 2, 3] {
             let code = vk::Result::ERROR_OUT_OF_DEVICE_MEMORY;
             let fault = Fault {

@@ -19,9 +19,9 @@ fn modules_and_pipelines_that_a_driver_refuses_are_named() {
         ("vkCreateComputePipelines", vk::Result::ERROR_UNKNOWN),
     ];
     on_each(|session, instance, info| {
-        let device = Device::open(instance, info).expect("a device");
-        device.keep_pipelines();
         for (name, work) in ALL {
+            let device = Device::open(instance, info).expect("a device");
+            device.keep_pipelines();
             for (call, code) in calls {
                 session.fail(Fault::next(call, code));
                 let error = work(&device).expect_err(name);

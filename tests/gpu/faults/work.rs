@@ -107,6 +107,17 @@ pub fn estimate(device: &Arc<Device>) -> Result<()> {
     Ok(())
 }
 
+/// Sums an integrand several times, in batches.
+pub fn estimates(device: &Arc<Device>) -> Result<()> {
+    let (problem, request) = integral();
+    let mut estimator = Estimator::new(device, &problem, &request)?;
+    for _ in 0..2 {
+        let sums = estimator.run_each(&vec![request.clone(); 5], &mut |_| Ok(()))?;
+        assert!(sums.iter().all(|(sum, _)| is_the_sum(sum)), "wrong sums");
+    }
+    Ok(())
+}
+
 /// Checks some rows.
 pub fn check(device: &Arc<Device>) -> Result<()> {
     let options = check::Options {
@@ -125,10 +136,11 @@ pub const STILL: Lie = Lie::Properties(|said| said.limits.timestamp_period = 0.0
 pub type Work = fn(&Arc<Device>) -> Result<()>;
 
 /// All of it, by name.
-pub const ALL: [(&str, Work); 4] = [
+pub const ALL: [(&str, Work); 5] = [
     ("generate", generate),
     ("map", map),
     ("estimate", estimate),
+    ("estimates", estimates),
     ("check", check),
 ];
 

@@ -1,5 +1,7 @@
 //! Exact sums of an integrand over points that never leave the device.
 
+mod batch;
+
 use super::points::{BUFFER_BYTES, add, table};
 use super::records::{BUSY, BUSY_CPU, FIRST, RECORD, next_chunk, read};
 use super::{fingerprint, groups, pipeline, spirv};
@@ -22,6 +24,7 @@ pub struct Estimator {
     pipeline: Pipeline,
     results: Buffer,
     columns: Option<Buffer>,
+    batch: Vec<batch::Slot>,
     coefficients: Buffer,
     tables: Option<Buffer>,
     first: u64,
@@ -29,6 +32,8 @@ pub struct Estimator {
     longest: u32,
     limit: u64,
     chunk: u64,
+    /// Nanoseconds of a point in the last dispatch.
+    pace: f64,
     device: Arc<Device>,
 }
 
@@ -93,6 +98,7 @@ impl Estimator {
                 .as_deref()
                 .map(|words| block(device, plan.kernel, 1, words))
                 .transpose()?,
+            batch: Vec::new(),
             coefficients: block(device, plan.kernel, 2, &problem.words())?,
             tables: bulk_words(device, problem)?,
             first: request.first,
@@ -100,6 +106,7 @@ impl Estimator {
             longest,
             limit: BUFFER_BYTES / 4 / RECORD,
             chunk: FIRST,
+            pace: f64::INFINITY,
             problem: problem.clone(),
             plan,
             device: Arc::clone(device),
@@ -114,13 +121,7 @@ impl Estimator {
     /// [`Error::Arguments`] for a request of another shape, which leaves everything as it was,
     /// and those of the device.
     pub fn set_request(&mut self, request: &Request) -> Result<()> {
-        self.problem.check(request, 0, request.count)?;
-        let plan = replan_estimate(&self.plan, &request.columns, self.problem.id());
-        let plan = plan.ok_or_else(|| Error::Arguments {
-            asked: format!("an estimate of {} by an estimator", request.sequence.name()),
-            limit: "it was compiled for points of another shape".into(),
-            remedy: "keep to its sequence, scramble, dimensions and bases, or make another".into(),
-        })?;
+        let plan = self.replan(request)?;
         if let (Some(columns), Some(words)) = (&mut self.columns, &plan.table) {
             columns.write(0, bytemuck::cast_slice(words))?;
         }
@@ -128,6 +129,17 @@ impl Estimator {
         self.longest = longest_estimate(&request.columns, self.problem.id());
         (self.first, self.count) = (request.first, request.count);
         Ok(())
+    }
+
+    /// The plan of another request of the same shape.
+    fn replan(&self, request: &Request) -> Result<Plan> {
+        self.problem.check(request, 0, request.count)?;
+        let plan = replan_estimate(&self.plan, &request.columns, self.problem.id());
+        plan.ok_or_else(|| Error::Arguments {
+            asked: format!("an estimate of {} by an estimator", request.sequence.name()),
+            limit: "it was compiled for points of another shape".into(),
+            remedy: "keep to its sequence, scramble, dimensions and bases, or make another".into(),
+        })
     }
 
     /// Takes other parameters of the same integrand, by the same of its estimators and in as many
@@ -186,29 +198,37 @@ impl Estimator {
                 remedy: "ask for several shorter sums, and merge them".into(),
             });
         }
-        let scale = self.problem.coefficients().scale;
-        let push = EstimatePush {
-            // All fit: first + count <= 2^32, and a dispatch has fewer.
-            first: (self.first + start) as u32,
-            count: count as u32,
-            run,
-            invocations: invocations as u32,
-            scale: scale as u32,
-        };
+        let push = self.push(self.first + start, count, run);
         self.reserve(invocations)?;
-        let mut buffers = vec![(0, &self.results), (2, &self.coefficients)];
-        if let Some(columns) = &self.columns {
-            buffers.push((1, columns));
-        }
-        if let Some(tables) = &self.tables {
-            buffers.push((3, tables));
-        }
+        let buffers = self.buffers(&self.results, self.columns.as_ref());
         let groups = groups(self.plan.kernel, invocations as u32);
         let timing = self
             .device
             .run(&self.pipeline, &buffers, &push.bytes(), groups)?;
-        let records = read(&mut self.results, invocations, scale)?;
+        let records = read(&mut self.results, invocations, push.scale as i32)?;
         Ok((records, timing))
+    }
+
+    /// All fit: first + count <= 2^32, and a dispatch has fewer points.
+    fn push(&self, first: u64, count: u64, run: u32) -> EstimatePush {
+        EstimatePush {
+            first: first as u32,
+            count: count as u32,
+            run,
+            invocations: count.div_ceil(run.into()) as u32,
+            scale: self.problem.coefficients().scale as u32,
+        }
+    }
+
+    fn buffers<'a>(
+        &'a self,
+        results: &'a Buffer,
+        columns: Option<&'a Buffer>,
+    ) -> Vec<(u32, &'a Buffer)> {
+        let mut buffers = vec![(0, results), (2, &self.coefficients)];
+        buffers.extend(columns.map(|columns| (1, columns)));
+        buffers.extend(self.tables.as_ref().map(|tables| (3, tables)));
+        buffers
     }
 
     /// The sums over `count` points of the request from `start` on, by as many dispatches as
@@ -230,7 +250,7 @@ impl Estimator {
         let mut done = 0;
         while done < count {
             let points = (count - done).min(self.chunk);
-            let run = self.run_of(points);
+            let run = self.run_of(points, self.longest);
             let (records, timing) = self.records(start + done, points, run)?;
             for record in records {
                 total = total.merged(record)?;
@@ -257,20 +277,21 @@ impl Estimator {
     /// How long the runs of so many points are: on a CPU long, since each has its cost, once
     /// all cores have work; on a GPU so short that all of it has work. Of the general kernel
     /// whole tiles.
-    fn run_of(&self, points: u64) -> u32 {
+    fn run_of(&self, points: u64, longest: u32) -> u32 {
         let (busy, cheap) = match self.device.info().kind {
             DeviceKind::Cpu => (BUSY_CPU, CHEAP),
             _ => (BUSY, 1),
         };
         let shared = u64::from(self.plan.tile.clamp(1, 8));
         let wanted = points.div_ceil(busy).max(points.div_ceil(self.limit));
-        let longest = u64::from(self.longest) / shared * shared;
+        let longest = u64::from(longest) / shared * shared;
         wanted.max(cheap).next_multiple_of(shared).min(longest) as u32
     }
 
     fn adapt(&mut self, points: u64, timing: &Timing) {
         let most = (self.limit * u64::from(self.longest)).min(u64::from(u32::MAX >> 1));
         self.chunk = next_chunk(points, timing, most);
+        self.pace = timing.device_ns.unwrap_or(timing.host_ns).max(1.0) / points.max(1) as f64;
     }
 }
 
