@@ -14,7 +14,7 @@ use crate::check::{Outcome, Row, junit};
 use crate::extreme;
 use crate::interface::{KERNELS, Profile};
 use crate::kernels::spirv;
-use crate::report::{create_folder, hexadecimal, save};
+use crate::report::{Document, Target, create_folder, hexadecimal, save};
 use crate::spirv::{self as modules, Tier};
 use crate::vulkan::DeviceInfo;
 use crate::{Error, Result};
@@ -116,27 +116,44 @@ impl Card<'_> {
         list
     }
 
-    /// Writes `report.json`, `report.html` and `junit.xml` into a folder, which is made; gives
-    /// the files, each of which is replaced whole.
+    /// Writes `report.json`, `report.html` and `junit.xml`, each of which is replaced whole; gives
+    /// their paths.
     ///
     /// # Errors
     /// [`Error::Output`] and [`Error::Io`] for what cannot be written.
-    pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>> {
-        create_folder(folder, "--report")?;
+    pub fn write(&self, files: Files) -> Result<Vec<PathBuf>> {
         let document = self.document()?;
-        let name = &self.info.name;
-        let files = [
-            ("report.json", format!("{document:#}\n")),
-            ("report.html", page::page(self, &document)),
-            ("junit.xml", self.junit(name)),
-        ];
-        let mut written = Vec::new();
-        for (name, text) in files {
-            let path = folder.join(name);
-            save(&path, text.as_bytes())?;
-            written.push(path);
-        }
-        Ok(written)
+        let [json, html, junit] = Files::NAMES.map(|name| files.folder.join(name));
+        files.json.finish(format!("{document:#}\n").as_bytes())?;
+        files.html.finish(page::page(self, &document).as_bytes())?;
+        save(&junit, self.junit(&self.info.name).as_bytes())?;
+        Ok(vec![json, html, junit])
+    }
+}
+
+/// The files of a card, opened before the work that they report.
+pub struct Files {
+    folder: PathBuf,
+    json: Document,
+    html: Document,
+}
+
+impl Files {
+    const NAMES: [&str; 3] = ["report.json", "report.html", "junit.xml"];
+
+    /// Makes the folder, and opens what only this card can be writing there: `junit.xml` may be
+    /// the caller's own too.
+    ///
+    /// # Errors
+    /// [`Error::Output`] for what cannot be made or written.
+    pub fn open(folder: &Path) -> Result<Self> {
+        create_folder(folder, "--report")?;
+        let [json, html, _] = Self::NAMES.map(|name| Target::File(folder.join(name)));
+        Ok(Self {
+            folder: folder.to_owned(),
+            json: Document::open(&json)?,
+            html: Document::open(&html)?,
+        })
     }
 }
 

@@ -4,9 +4,9 @@ use super::args::CheckArgs;
 use super::{host, print, progress};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use corput::Error;
-use corput::card::{Card, Supplement};
+use corput::card::{Card, Files, Supplement};
 use corput::check::{self, Options, Outcome, Row, Verdict, figure};
-use corput::report::{Document, Target, create_folder};
+use corput::report::{Document, Target};
 use serde_json::json;
 use std::path::Path;
 use std::time::Duration;
@@ -22,14 +22,13 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
         return super::exhaustive::run(args.device.as_deref(), args.only.as_deref(), args.json);
     }
     let time = args.seconds.map(seconds).transpose()?;
+    // The folder first: the other file may be in it.
+    let files = args.report.as_deref().map(Files::open).transpose()?;
     let junit = args
         .junit
         .clone()
         .map(|path| Document::open(&Target::File(path)));
     let junit = junit.transpose()?;
-    if let Some(folder) = &args.report {
-        create_folder(folder, "--report")?;
-    }
     let device = host::open(args.device.as_deref())?;
     let options = Options {
         only: args.only.clone(),
@@ -54,8 +53,8 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     if let Some(junit) = junit {
         junit.finish(card.junit(&line).as_bytes())?;
     }
-    if let Some(folder) = &args.report {
-        card.write(folder)?;
+    if let Some(files) = files {
+        card.write(files)?;
     }
     if args.json {
         print(&serde_json::to_string_pretty(&card.document()?)?);

@@ -33,7 +33,8 @@ impl FloatSum {
     /// With the sum over some terms in a window, of which so many are infinite or NaN.
     ///
     /// # Errors
-    /// As [`Estimate::merged`]: for sums of another unit, or of more than 2^62 terms.
+    /// As [`Estimate::merged`]: for sums of another unit, or of more than 2^62 terms, and for more
+    /// special ones than there are terms.
     pub fn with(mut self, window: usize, sum: Estimate, special: u64) -> Result<Self> {
         let found = self.windows.get_mut(window);
         let place = found.ok_or_else(|| Error::Arguments {
@@ -44,7 +45,18 @@ impl FloatSum {
         *place = place.merged(sum)?;
         // Each is seen in every window.
         if window == 0 {
-            self.special += special;
+            self.special = self.special.saturating_add(special);
+        }
+        self.sound()
+    }
+
+    fn sound(self) -> Result<Self> {
+        if self.special > self.count() {
+            return Err(Error::Arguments {
+                asked: format!("a sum with {} infinite or NaN terms", self.special),
+                limit: format!("it has {} terms in all", self.count()),
+                remedy: "count the special ones among the terms".into(),
+            });
         }
         Ok(self)
     }
@@ -55,9 +67,9 @@ impl FloatSum {
     /// As [`Self::with`].
     pub fn merged(self, other: Self) -> Result<Self> {
         let mut windows = other.windows.into_iter().enumerate();
-        let all = windows.try_fold(self, |all, (window, sum)| all.with(window, sum, 0));
-        let special = self.special + other.special;
-        all.map(|all| Self { special, ..all })
+        windows.try_fold(self, |all, (window, sum)| {
+            all.with(window, sum, other.special)
+        })
     }
 
     /// Terms, the infinite and NaN among them.

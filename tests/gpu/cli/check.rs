@@ -3,6 +3,7 @@
 use super::{Desk, skips};
 use corput::card::SCHEMA;
 use serde_json::Value;
+use std::fs;
 
 fn document(desk: &Desk, line: &str) -> Value {
     serde_json::from_str(&desk.say(line)).unwrap()
@@ -111,6 +112,35 @@ fn a_report_that_cannot_be_written_is_refused_before_work() {
     let desk = Desk::new();
     desk.run("check --junit none/j.xml")
         .expect(2, &["none/j.xml"]);
+    for name in ["report.json", "report.html"] {
+        fs::create_dir_all(desk.path(&format!("{name}.d/{name}"))).unwrap();
+        let line = format!("check --report {name}.d");
+        desk.run(&line).expect(2, &[name]);
+    }
+}
+
+/// Both in one folder, which is not there before; `junit.xml` is the same file twice.
+#[test]
+fn a_report_and_a_junit_file_may_share_a_new_folder() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let line = "check --only unit_stratum --report out --junit out";
+    for name in ["junit.xml", "other.xml"] {
+        desk.run(&format!("{line}/{name}")).expect(0, &[]);
+        assert!(desk.bytes(&format!("out/{name}")).starts_with(b"<?xml"));
+    }
+    let mut names: Vec<_> = fs::read_dir(desk.path("out")).unwrap().collect();
+    names.sort_by_key(|entry| entry.as_ref().unwrap().file_name());
+    let names: Vec<_> = names
+        .into_iter()
+        .map(|entry| entry.unwrap().file_name())
+        .collect();
+    assert_eq!(
+        names,
+        ["junit.xml", "other.xml", "report.html", "report.json"]
+    );
 }
 
 #[test]
