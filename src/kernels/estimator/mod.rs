@@ -34,6 +34,8 @@ pub struct Estimator {
     chunk: u64,
     /// Nanoseconds of a point in the last dispatch.
     pace: f64,
+    /// Whether the device has a clock, which has not failed yet.
+    clock: bool,
     device: Arc<Device>,
 }
 
@@ -107,6 +109,7 @@ impl Estimator {
             limit: BUFFER_BYTES / 4 / RECORD,
             chunk: FIRST,
             pace: f64::INFINITY,
+            clock: device.info().limits.timestamp_valid_bits > 0,
             problem: problem.clone(),
             plan,
             device: Arc::clone(device),

@@ -4,7 +4,9 @@ use corput::vulkan::ash::vk;
 use corput::vulkan::{Access, Buffer, Device};
 
 use super::plan::{Fault, Way};
-use super::work::{ALL, assert_failed, everything, generate, generator, on_each};
+use super::work::{
+    ALL, assert_failed, everything, generate, generator, is_the_sum, on_each, summed,
+};
 
 const LOST: vk::Result = vk::Result::ERROR_DEVICE_LOST;
 
@@ -90,6 +92,31 @@ fn a_clock_that_fails_is_done_without() {
             let timing = generator.dispatch(0, 100).expect("points");
             assert!(timing.device_ns.is_none() && timing.host_ns > 0.0);
             assert!(session.fired() > 1);
+        }
+    });
+}
+
+/// One that fails under way leaves every sum right, and no time of the host below the device's.
+#[test]
+fn a_clock_that_fails_in_a_batch_is_not_asked_again() {
+    on_each(|session, instance, info| {
+        let device = Device::open(instance, info).expect("a device");
+        session.heal();
+        summed(&device, 40).expect("sums");
+        let all = session.seen("vkGetQueryPoolResults");
+        for nth in [1, all.div_ceil(2), all] {
+            session.fail(Fault {
+                nth,
+                ..Fault::always("vkGetQueryPoolResults", vk::Result::NOT_READY)
+            });
+            let mut clocks = 0;
+            for (sum, timing) in summed(&device, 40).expect("sums") {
+                assert!(is_the_sum(&sum), "wrong sums");
+                clocks += u32::from(timing.device_ns.is_some());
+                assert!(timing.host_ns > 0.0 && timing.host_ns >= timing.device_ns.unwrap_or(0.0));
+            }
+            // How many share a submission hangs on the clock.
+            assert!(session.fired() == 0 || clocks < 40);
         }
     });
 }

@@ -7,7 +7,7 @@ use corput::catalog::{Engine, Map, Mapping, Options, Problem, Request, Sequence}
 use corput::check;
 use corput::estimate::Estimate;
 use corput::kernels::{Estimator, Generator};
-use corput::vulkan::{Access, Buffer, Device, DeviceInfo, Instance, InstanceOptions};
+use corput::vulkan::{Access, Buffer, Device, DeviceInfo, Instance, InstanceOptions, Timing};
 use corput::{Error, Result};
 
 use super::loader::entry;
@@ -107,14 +107,17 @@ pub fn estimate(device: &Arc<Device>) -> Result<()> {
     Ok(())
 }
 
-/// Sums an integrand several times, in batches.
-pub fn estimates(device: &Arc<Device>) -> Result<()> {
+/// The same sums so many times, some of them in batches.
+pub fn summed(device: &Arc<Device>, times: usize) -> Result<Vec<(Estimate, Timing)>> {
     let (problem, request) = integral();
     let mut estimator = Estimator::new(device, &problem, &request)?;
-    for _ in 0..2 {
-        let sums = estimator.run_each(&vec![request.clone(); 5], &mut |_| Ok(()))?;
-        assert!(sums.iter().all(|(sum, _)| is_the_sum(sum)), "wrong sums");
-    }
+    estimator.run_each(&vec![request; times], &mut |_| Ok(()))
+}
+
+/// Sums an integrand several times.
+pub fn estimates(device: &Arc<Device>) -> Result<()> {
+    let sums = summed(device, 7)?;
+    assert!(sums.iter().all(|(sum, _)| is_the_sum(sum)), "wrong sums");
     Ok(())
 }
 
