@@ -253,8 +253,9 @@ pub enum Error {
     },
     /// Stopped by a signal, with what was finished in a file.
     #[error(
-        "interrupted after {done} of {total}, which {} keeps: the same command goes on from there",
-        path.display()
+        "interrupted after {done} of {total}, which {} keeps: the same command{} goes on from there",
+        path.display(),
+        if *fresh { " without --fresh" } else { "" }
     )]
     Paused {
         /// Parts finished.
@@ -263,6 +264,34 @@ pub enum Error {
         total: u64,
         /// The file.
         path: PathBuf,
+        /// Whether the command began by removing what it kept.
+        fresh: bool,
+    },
+    /// Stopped by a signal, and nothing is kept of what was finished.
+    #[error(
+        "interrupted after {done} of {total}, of which nothing is kept: give {option} to keep what is done, \
+         and to go on from there"
+    )]
+    NotKept {
+        /// Parts finished.
+        done: u64,
+        /// Parts in all.
+        total: u64,
+        /// What keeps them.
+        option: &'static str,
+    },
+    /// Means of a study that are infinite or NaN.
+    #[error(
+        "{failures} of {total} means are not finite, the first of {first}: the integrand has an infinite or \
+         undefined term there, or the device computes one; the table marks them, and no other number counts them"
+    )]
+    NotFinite {
+        /// Means that are not finite.
+        failures: u64,
+        /// Means in all.
+        total: u64,
+        /// Sampler, integrand and number of points.
+        first: String,
     },
     /// Results that are not what they must be.
     #[error(
@@ -323,7 +352,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 fn list(kind: &str) -> &'static str {
     match kind {
         "integrand" | "estimator" => "; `corput integrands` says more",
-        "sampler" => "; `corput generate --help` says more",
+        "sampler" | "scramble" => "; `corput generate --help` says more",
         "map" => "; `corput maps` says more",
         _ => "",
     }
@@ -345,7 +374,10 @@ impl Error {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::CheckFailed { .. } | Self::CardsDiffer { .. } | Self::Unequal { .. } => 1,
+            Self::CheckFailed { .. }
+            | Self::CardsDiffer { .. }
+            | Self::NotFinite { .. }
+            | Self::Unequal { .. } => 1,
             Self::ZeroCount { .. }
             | Self::IndexRange { .. }
             | Self::NotPrime { .. }
@@ -368,6 +400,7 @@ impl Error {
             | Self::Io { .. }
             | Self::Interrupted { .. }
             | Self::Paused { .. }
+            | Self::NotKept { .. }
             | Self::Shader { .. } => 4,
         }
     }

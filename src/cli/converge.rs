@@ -28,7 +28,7 @@ pub fn run(args: &ConvergeArgs) -> anyhow::Result<()> {
         .map(|folder| kept(folder, args.fresh));
     let mut kept = kept.take().transpose()?;
     let setting = Setting::new(&study, device, host::command());
-    let results = measured(&engine, &study, setting, kept.as_mut())?;
+    let results = measured(&engine, &study, setting, kept.as_mut(), args.fresh)?;
     if let Some(instance) = instance {
         host::validated(&instance)?;
     }
@@ -53,23 +53,35 @@ pub fn run(args: &ConvergeArgs) -> anyhow::Result<()> {
     } else {
         print(&text(&results));
     }
-    match results.not_finite() {
-        0 => Ok(()),
-        failures => Err(Error::CheckFailed {
-            failures: failures as usize,
+    Ok(finite(&results)?)
+}
+
+/// That all means are.
+fn finite(results: &Results) -> Result<()> {
+    let point = |series: &Series| {
+        let broken = |mean: &f64| !mean.is_finite();
+        let found = series.cell.points.iter();
+        let found = found.filter(|point| point.means.iter().any(broken));
+        found.map(|point| point.count).next()
+    };
+    let first = results.series.iter().find_map(|series| {
+        let count = point(series)?;
+        let (name, integrand) = (series.label(), &series.integrand);
+        Some(format!("{name} on {integrand} at {count} points"))
+    });
+    match first {
+        None => Ok(()),
+        Some(first) => Err(Error::NotFinite {
+            failures: results.not_finite(),
             total: results.series.iter().map(means).sum(),
-        }
-        .into()),
+            first,
+        }),
     }
 }
 
-fn means(series: &Series) -> usize {
-    series
-        .cell
-        .points
-        .iter()
-        .map(|point| point.means.len())
-        .sum()
+fn means(series: &Series) -> u64 {
+    let points = series.cell.points.iter();
+    points.map(|point| point.means.len() as u64).sum()
 }
 
 /// The study of the arguments: a file, names, or the default.
@@ -101,6 +113,14 @@ fn study(args: &ConvergeArgs) -> Result<Study> {
 
 /// The default samplers are those of the default study.
 fn named(args: &ConvergeArgs) -> Result<Vec<Row>> {
+    // A name that is none is told before a sampler that does not fit it.
+    for integrand in &args.integrand {
+        converge::rows(
+            integrand,
+            args.estimator.as_deref().unwrap_or_default(),
+            &[],
+        )?;
+    }
     let samplers = match samplers(args)? {
         Some(samplers) => samplers,
         None => {
@@ -160,6 +180,7 @@ fn measured(
     study: &Study,
     setting: Setting,
     mut kept: Option<&mut Kept>,
+    fresh: bool,
 ) -> Result<Results> {
     let path: Option<PathBuf> = kept.as_ref().map(|kept| kept.path().to_owned());
     let bar = progress::cells(study.cells() as u64);
@@ -175,7 +196,17 @@ fn measured(
         eprintln!("corput: {line}");
     }
     results.map_err(|error| match (error, path) {
-        (Error::Interrupted { done, total }, Some(path)) => Error::Paused { done, total, path },
+        (Error::Interrupted { done, total }, Some(path)) => Error::Paused {
+            done,
+            total,
+            path,
+            fresh,
+        },
+        (Error::Interrupted { done, total }, None) => Error::NotKept {
+            done,
+            total,
+            option: "--report DIR",
+        },
         (error, _) => error,
     })
 }
@@ -202,7 +233,7 @@ fn warnings(results: &Results) -> Vec<String> {
         ));
     }
     for series in &results.series {
-        for warning in &series.cell.warnings {
+        for warning in series.cell.notices() {
             let line = format!("{}: {warning}", series.sampler);
             if !lines.contains(&line) {
                 lines.push(line);
@@ -236,7 +267,7 @@ fn text(results: &Results) -> String {
         let Some(first) = group.first() else { continue };
         let truth = &first.truth;
         lines.push(format!(
-            "\n{integrand}, {}: {} {}; floor {:.1e}",
+            "\n{integrand}, {}: {} {}; {}",
             dimensions(&group),
             match truth.uncertainty {
                 None => format!("integral {}", truth.value),
@@ -246,7 +277,7 @@ fn text(results: &Results) -> String {
                 converge::Statistic::Rmse => "",
                 converge::Statistic::MedianAbsolute => "(infinite variance: median |error|)",
             },
-            truth.floor(),
+            floors(&group),
         ));
         lines.push(table(&group, &setting.targets).to_string());
         lines.extend(
@@ -257,6 +288,21 @@ fn text(results: &Results) -> String {
         );
     }
     lines.join("\n")
+}
+
+/// The relative floor, of each estimator where there are several.
+fn floors(group: &[&Series]) -> String {
+    let mut all: Vec<(Option<&str>, f64)> = Vec::new();
+    for one in group {
+        if !all.iter().any(|(estimator, _)| *estimator == one.estimator) {
+            all.push((one.estimator, one.truth.floor() / one.scale()));
+        }
+    }
+    let each = all.iter().map(|(estimator, floor)| match estimator {
+        Some(name) => format!("{floor:.1e} of {name}"),
+        None => format!("{floor:.1e}"),
+    });
+    format!("relative floor {}", each.collect::<Vec<_>>().join(", "))
 }
 
 /// "2 dimensions", or "2 to 3 dimensions" where estimators differ.
@@ -287,6 +333,10 @@ fn table(group: &[&Series], targets: &[f64]) -> Table {
         };
         let relative = |value: f64| value / one.scale();
         let few = if last.few_hits() { ", few hits" } else { "" };
+        let broken = match analysis.not_finite {
+            0 => String::new(),
+            many => format!("; {many} not finite"),
+        };
         let error = match analysis.random {
             true => format!(
                 "{:.2e} ({:.1e} to {:.1e}{few})",
@@ -296,6 +346,7 @@ fn table(group: &[&Series], targets: &[f64]) -> Table {
             ),
             false => format!("{:.2e} (one run{few})", relative(last.error.value)),
         };
+        let error = error + &broken;
         let slope = match (analysis.slope, analysis.slope_has_interval) {
             (Some(s), true) => format!("{:.2} ({:.2} to {:.2})", s.value, s.low, s.high),
             (Some(s), false) => format!("{:.2}", s.value),

@@ -102,7 +102,7 @@ impl Analysis {
             .map(|(point, errors)| {
                 let at = error_at(point, errors, truth, statistic);
                 ErrorAt {
-                    hits: rarity.map(|rarity| rarity.hits(point.count)),
+                    hits: rarity.map(|rarity| rarity.hits(point.count, errors.len())),
                     missed: statistic == Statistic::Rmse
                         && missed(
                             at.bias,
@@ -385,7 +385,6 @@ mod tests {
         // 100 hits of 32 replicates at 2^9.64 points.
         let rarity = Some(Rarity {
             share: 100.0 / 32.0 / 800.0,
-            replicates: 32,
         });
         let (bent, kept) = (of(None), of(rarity));
         assert!((bent.slope.unwrap().value + 1.0).abs() > 0.1);

@@ -49,6 +49,32 @@ pub struct Point {
 }
 
 impl Cell {
+    /// The warnings, of which those that differ in the number of points alone are one.
+    #[must_use]
+    pub fn notices(&self) -> Vec<String> {
+        let mut found: Vec<(Option<[u64; 2]>, &str)> = Vec::new();
+        for warning in &self.warnings {
+            let begin = warning.split_once(' ');
+            let count = begin.and_then(|(count, rest)| Some((count.parse::<u64>().ok()?, rest)));
+            let (count, rest) = match count {
+                Some((count, rest)) => (Some([count; 2]), rest),
+                None => (None, warning.as_str()),
+            };
+            let same = found.iter_mut().find(|(_, text)| *text == rest);
+            match (same, count) {
+                (Some((Some([_, last]), _)), Some([_, more])) => *last = more.max(*last),
+                (Some(_), None) => {}
+                _ => found.push((count, rest)),
+            }
+        }
+        let text = |(count, rest): (Option<[u64; 2]>, &str)| match count {
+            None => rest.to_owned(),
+            Some([one, other]) if one == other => format!("{one} {rest}"),
+            Some([first, last]) => format!("{first} to {last} {rest}"),
+        };
+        found.into_iter().map(text).collect()
+    }
+
     /// Whether it can be a study's cell of this sampler: one that was kept in a file may be anything.
     #[must_use]
     pub fn fits(&self, study: &Study, sampler: Sampler) -> bool {
@@ -277,5 +303,32 @@ fn equal(got: &Estimate, expected: &Estimate, what: &dyn Fn() -> String) -> Resu
     match got == expected {
         true => Ok(()),
         false => Err(Error::Unequal { what: what() }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Cell;
+
+    #[test]
+    fn warnings_of_many_counts_are_one() {
+        let warnings = [
+            "16 points are few",
+            "seed 3",
+            "32 points are few",
+            "64 points lie",
+            "seed 3",
+        ];
+        let cell = Cell {
+            setup_ms: 0.0,
+            first_ms: 0.0,
+            points: Vec::new(),
+            refused: Vec::new(),
+            warnings: warnings.map(str::to_owned).to_vec(),
+        };
+        assert_eq!(
+            cell.notices(),
+            ["16 to 32 points are few", "seed 3", "64 points lie"]
+        );
     }
 }

@@ -21,8 +21,6 @@ pub struct Rarity {
     /// The share, 0 to 1: the reciprocal of the kurtosis of the terms, which is 1/p where a share
     /// p of the terms is alike and the others are 0.
     pub share: f64,
-    /// Replicates of a random sampler.
-    pub replicates: u32,
 }
 
 impl Rarity {
@@ -30,20 +28,17 @@ impl Rarity {
     /// largest counts: the least share. `None` without any, since points of nets meet what there
     /// is more evenly than chance, and the spread of their variances tells of no hits.
     #[must_use]
-    pub fn of<'a>(
-        cells: impl Iterator<Item = &'a Cell>,
-        truth: &Truth,
-        replicates: u32,
-    ) -> Option<Self> {
+    pub fn of<'a>(cells: impl Iterator<Item = &'a Cell>, truth: &Truth) -> Option<Self> {
         let shares = cells.filter_map(|cell| share(cell.points.last()?, truth));
         let share = shares.reduce(f64::min)?;
-        Some(Self { share, replicates })
+        Some(Self { share })
     }
 
-    /// Effective hits at a count, of all replicates.
+    /// Effective hits of so many replicates of so many points: one of a sampler that is not
+    /// random.
     #[must_use]
-    pub fn hits(&self, count: u64) -> f64 {
-        self.share * count as f64 * f64::from(self.replicates)
+    pub fn hits(&self, count: u64, replicates: usize) -> f64 {
+        self.share * count as f64 * replicates as f64
     }
 }
 

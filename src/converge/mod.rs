@@ -86,11 +86,7 @@ pub fn run(
             watch(&name, (series.len() + cells.len()) as u64, total)?;
         }
         let independent = cells.iter().filter(|(sampler, _)| sampler.is_independent());
-        let rarity = Rarity::of(
-            independent.map(|(_, cell)| cell),
-            &truth,
-            study.replicates(),
-        );
+        let rarity = Rarity::of(independent.map(|(_, cell)| cell), &truth);
         let made = cells
             .into_iter()
             .map(|(sampler, cell)| Series::new(row, sampler, truth, cell, rarity));

@@ -157,7 +157,14 @@ impl Study {
                 Err(error) => refusal = Some(error),
             }
         }
-        refusal.map_or(Ok(()), Err)
+        refusal.map_or(Ok(()), |error| {
+            let (name, integrand) = (sampler.name(), &row.name);
+            refuse(
+                format!("{name} on {integrand}"),
+                &error.to_string(),
+                "choose another sampler for it, or other counts",
+            )
+        })
     }
 
     /// The integrands.

@@ -1,6 +1,6 @@
 //! Which figures a study has, and what is in them.
 
-use super::words::{error, group_by_estimator, number};
+use super::words::{error, floor, group_by_estimator, number};
 use crate::Result;
 use crate::converge::{ErrorAt, Results, Series, Statistic};
 use crate::plot::{
@@ -166,8 +166,7 @@ fn pair(
     if faint {
         caption += " Dotted and faint: too few hits for an interval.";
     }
-    let floor = entries.iter().map(|(series, ..)| floor(series));
-    let floor = floor.fold(0.0, f64::max);
+    let lowest = Lowest::of(&entries);
     let mut figures = Vec::new();
     for work in [Work::Seconds, Work::Points] {
         let (short, against) = match work {
@@ -181,15 +180,12 @@ fn pair(
             .collect();
         let style = WorkPrecisionStyle {
             title: &title,
-            description: &description(&drawn, floor),
+            description: &description(&drawn, &lowest),
             work,
             y_label: error_name(first),
             targets: &results.setting.targets,
-            floor,
-            floor_name: match first.truth.uncertainty {
-                None => "arithmetic floor",
-                Some(_) => "floor, with the reference’s interval",
-            },
+            floor: lowest.floor,
+            floor_name: &lowest.name,
             ..WorkPrecisionStyle::default()
         };
         let parts = [&slug(&first.integrand), part, short];
@@ -208,10 +204,6 @@ fn error_name(series: &Series) -> &'static str {
         Statistic::Rmse => "relative RMSE",
         Statistic::MedianAbsolute => "relative median |error|",
     }
-}
-
-fn floor(series: &Series) -> f64 {
-    series.truth.floor() / series.scale()
 }
 
 /// Relative errors with their intervals, over points.
@@ -248,15 +240,49 @@ fn curve(series: &Series, name: &str, hue: usize, work: Work) -> Curve {
     }
 }
 
+/// The floor that a figure draws: of several estimators the lowest, since their errors may lie
+/// below the others' floors.
+struct Lowest {
+    floor: f64,
+    name: String,
+}
+
+impl Lowest {
+    fn of(entries: &[Entry<'_>]) -> Self {
+        let least = entries
+            .iter()
+            .min_by(|(a, ..), (b, ..)| floor(a).total_cmp(&floor(b)));
+        let Some((series, ..)) = least else {
+            return Self {
+                floor: 0.0,
+                name: String::new(),
+            };
+        };
+        let value = floor(series);
+        let name = match series.truth.uncertainty {
+            None => "arithmetic floor",
+            Some(_) => "floor, with the reference’s interval",
+        };
+        let others = entries.iter().any(|(one, ..)| floor(one) != value);
+        let of = series.estimator.filter(|_| others);
+        Self {
+            floor: value,
+            name: of.map_or(name.to_owned(), |estimator| {
+                format!("{name} of {estimator}")
+            }),
+        }
+    }
+}
+
 /// The figure in words.
-fn description(drawn: &[&Entry<'_>], floor: f64) -> String {
+fn description(drawn: &[&Entry<'_>], lowest: &Lowest) -> String {
     let mut text = String::from("At the most points: ");
     let ends = drawn.iter().filter_map(|(series, name, _)| {
         let end = relative(series).filter(drawable).last()?;
         Some(format!("{name} {}", error(&end, series.analysis.random)))
     });
     text += &ends.collect::<Vec<_>>().join("; ");
-    text + &format!(". The floor is {}.", number(floor))
+    text + &format!(". The {} is {}.", lowest.name, number(lowest.floor))
 }
 
 /// Letters and digits of a name, for a file.

@@ -51,8 +51,8 @@ fn paragraphs(replicates: u32) -> String {
          <p><strong>Effective hits.</strong> Where few terms make the variance, as where hardly a \
          direction meets a light, replicates without them agree on a wrong mean, and the interval \
          is too narrow: it tells of the terms that came. The hits of a count are its points in \
-         all {replicates} replicates over the kurtosis of the terms, that is, the points that meet \
-         a peak of which all others miss. The kurtosis is that of the random sampler with the most, \
+         all replicates, one or {replicates}, over the kurtosis of the terms, that is, the points \
+         that meet a peak of which all others miss. The kurtosis is that of the random sampler with the most, \
          by how the variances of its replicates spread at the largest count. Errors of fewer than \
          {ENOUGH} hits are dotted and faint in figures and marked in tables; medians do not hang on \
          rare terms, and have none. So are errors where the mean of all replicates is off by more \

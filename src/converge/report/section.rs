@@ -123,7 +123,7 @@ fn notes(group: &[&Series]) -> Vec<String> {
                 if missing == 1 { "mean is" } else { "means are" }
             ));
         }
-        for warning in &series.cell.warnings {
+        for warning in series.cell.notices() {
             notes.push(format!("{name}: {warning}"));
         }
         if let Some((count, why)) = series.cell.refused.first() {
@@ -140,13 +140,22 @@ fn notes(group: &[&Series]) -> Vec<String> {
 /// Which errors too few points speak for: a sentence for each estimator.
 fn few_hits(group: &[&Series]) -> Vec<String> {
     let sentence = |(estimator, series): (Option<&str>, Vec<&Series>)| {
-        let errors = series.iter().flat_map(|one| &one.analysis.errors);
-        let most = errors.filter(|at| at.few_hits()).map(|at| at.count).max()?;
+        let most = |random: bool| {
+            let series = series.iter().filter(|one| one.analysis.random == random);
+            let errors = series.flat_map(|one| &one.analysis.errors);
+            let few = errors.filter(|at| at.few_hits()).map(|at| at.count).max();
+            few.map(|count| grouped(count as i64))
+        };
+        let reach = match (most(true), most(false)) {
+            (None, None) => return None,
+            (Some(all), None) => format!("to {all} points"),
+            (None, Some(single)) => format!("of single runs to {single} points"),
+            (Some(all), Some(single)) => format!("to {all} points, of single runs to {single}"),
+        };
         let name = estimator.map_or(String::new(), |name| format!("{name}: "));
         Some(format!(
-            "{name}fewer than {ENOUGH} effective hits to {} points, or all replicates missed the \
-             same: intervals are too narrow there, and no slope is fitted.",
-            grouped(most as i64)
+            "{name}fewer than {ENOUGH} effective hits {reach}, or all replicates missed the \
+             same: intervals are too narrow there, and no slope is fitted."
         ))
     };
     let estimators = group_by_estimator(group).into_iter();
@@ -198,7 +207,7 @@ fn times(integrand: &str, group: &[&Series], targets: &[f64]) -> String {
             one.label(),
             duration(one.cell.setup_ms * 1e-3),
             duration(one.cell.first_ms * 1e-3),
-            last.map_or("-".to_owned(), |last| duration(last.seconds.value)),
+            last.map_or("-".to_owned(), |last| time(last.seconds)),
         ];
         row.extend(targets.iter().map(|target| {
             let reached = one.analysis.reached(target * one.scale());
@@ -208,8 +217,8 @@ fn times(integrand: &str, group: &[&Series], targets: &[f64]) -> String {
     };
     let rows: Vec<Vec<String>> = group.iter().map(row).collect();
     let caption = format!(
-        "{integrand}: time once for set-up and the first dispatch, then of one replicate, and \
-         to each relative error (95 %)"
+        "{integrand}: time once for set-up and the first dispatch, then of one replicate (median \
+         and quartiles), and to each relative error (95 %)"
     );
     table(&caption, &head, &rows)
 }

@@ -1,6 +1,6 @@
 //! What to use, in sentences.
 
-use super::words::{escape, number, target as written, time};
+use super::words::{escape, floor, number, target as written, time};
 use crate::converge::{Results, Series, Standing, standings};
 use crate::plot::grouped;
 use std::fmt::Write;
@@ -69,13 +69,24 @@ fn sentence(group: &[&Series], target: f64) -> String {
             clauses.join("; ") + "."
         }
     };
-    let floor = group.iter().map(|one| one.truth.floor() / one.scale());
-    let floor = floor.fold(0.0, f64::max);
-    if target < floor {
+    let floors = group.iter().map(|one| floor(one));
+    let least = floors.fold(f64::INFINITY, f64::min);
+    let lucky: Vec<String> = list
+        .iter()
+        .filter(|one| target < floor(one.series))
+        .map(|one| format!("{} ({})", standing(one), number(floor(one.series))))
+        .collect();
+    if target < least {
         let _ = write!(
             text,
             " It is below the floor {}: what reaches it does so by chance.",
-            number(floor)
+            number(least)
+        );
+    } else if !lucky.is_empty() {
+        let _ = write!(
+            text,
+            " It is below the floor of {}: reaching it there is chance.",
+            lucky.join(", ")
         );
     }
     text

@@ -87,3 +87,8 @@ pub fn group_by_estimator<'a>(
     }
     found
 }
+
+/// The relative floor of a series.
+pub fn floor(series: &Series) -> f64 {
+    series.truth.floor() / series.scale()
+}

@@ -100,11 +100,13 @@ fn text_stays_text() {
 #[test]
 fn what_limits_the_numbers_is_said() {
     let mut study = plain();
+    for one in &mut study.series {
+        one.truth = Truth {
+            uncertainty: Some(2e-6),
+            ..one.truth
+        };
+    }
     let one = &mut study.series[0];
-    one.truth = Truth {
-        uncertainty: Some(2e-6),
-        ..one.truth
-    };
     one.cell.points[3].means[2] = f64::NAN;
     one.cell.refused = vec![(16, "no such set".into()), (32, "nor this".into())];
     one.cell.warnings = vec!["be careful".into()];
@@ -242,6 +244,27 @@ fn a_target_below_the_floor_is_named_so() {
     let mut study = plain();
     study.setting.targets = vec![1e-12];
     says(&page_of(&study), &["1e-12", "below the floor 2.00e-9"]);
+
+    // Floors are those of estimators: only who is below its own got there by chance.
+    let mut study = estimators();
+    study.setting.targets = vec![1e-1];
+    let rough = study.series[0].estimator;
+    for one in &mut study.series {
+        if one.estimator == rough {
+            one.truth = Truth::stated(one.truth.value, 0.5);
+        }
+    }
+    let page = page_of(&study);
+    let name = format!("with {} (", rough.unwrap());
+    let sentence = page.split("It is below the floor of ").nth(1).unwrap();
+    let sentence = sentence.split("</li>").next().unwrap();
+    assert!(sentence.contains(&name), "{sentence}");
+    for one in study.series.iter().filter(|one| one.estimator != rough) {
+        let other = format!("with {} (", one.estimator.unwrap());
+        assert!(!sentence.contains(&other), "{sentence}");
+    }
+    let figure = format!("floor of {}", rough.unwrap());
+    assert!(!page.contains(&figure), "figures draw the lowest");
     study.setting.targets.clear();
     says(&page_of(&study), &["asked for no target"]);
 }

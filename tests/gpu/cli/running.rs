@@ -248,20 +248,19 @@ fn errors_of(desk: &Desk, folder: &str) -> Vec<String> {
     text.lines().map(line).collect()
 }
 
-#[test]
-fn an_interrupted_study_goes_on() {
-    let desk = Desk::new();
-    let study = |folder: &str| {
-        format!(
-            "converge --integrand x-squared --integrand genz-gaussian:d=8 --max-count 32768 \
-             --sampler random,halton,sobol:owen-hash --replicates 8 --device cpu --report {folder}"
-        )
-    };
-    let running = Running::start(&desk, &study("out"));
-    let cells = desk.path("out/unfinished.jsonl");
-    let lines = || std::fs::read_to_string(&cells).map_or(0, |text| text.lines().count());
+/// A study of six cells on the CPU.
+fn study(options: &str) -> String {
+    format!(
+        "converge --integrand x-squared --integrand genz-gaussian:d=8 --max-count 32768 \
+         --sampler random,halton,sobol:owen-hash --replicates 8 --device cpu {options}"
+    )
+}
+
+/// What a study says that is interrupted once it has kept a cell in a file.
+fn interrupted(desk: &Desk, line: &str, cells: &Path) -> String {
+    let running = Running::start(desk, line);
     let start = Instant::now();
-    while lines() == 0 {
+    while kept(cells) == 0 {
         assert!(
             start.elapsed() < Duration::from_secs(60),
             "no finished cell"
@@ -271,16 +270,69 @@ fn an_interrupted_study_goes_on() {
     running.signal("INT");
     let (code, text) = running.end();
     assert_eq!(code, Some(4), "{text}");
-    assert!(
-        text.contains("the same command goes on from there"),
-        "{text}"
-    );
-    assert_eq!(desk.names(), ["out"]);
-    let kept = lines();
-    assert!((1..6).contains(&kept), "{kept} cells of 6");
+    text
+}
 
-    desk.run(&study("out")).expect(0, &["report.html"]);
+fn kept(cells: &Path) -> usize {
+    std::fs::read_to_string(cells).map_or(0, |text| text.lines().count())
+}
+
+#[test]
+fn an_interrupted_study_goes_on() {
+    let desk = Desk::new();
+    let cells = desk.path("out/unfinished.jsonl");
+    let text = interrupted(&desk, &study("--report out"), &cells);
+    let words = "the same command goes on from there";
+    assert!(text.contains(words), "{text}");
+    assert_eq!(desk.names(), ["out"]);
+    let first = kept(&cells);
+    assert!((1..6).contains(&first), "{first} cells of 6");
+
+    desk.run(&study("--report out")).expect(0, &["report.html"]);
     assert!(!cells.exists());
-    desk.run(&study("whole")).expect(0, &["report.html"]);
+    desk.run(&study("--report whole"))
+        .expect(0, &["report.html"]);
     assert_eq!(errors_of(&desk, "out"), errors_of(&desk, "whole"));
+}
+
+#[test]
+fn an_interrupted_study_says_how_to_go_on() {
+    let desk = Desk::new();
+    let cells = desk.path("out/unfinished.jsonl");
+    let text = interrupted(&desk, &study("--report out --fresh"), &cells);
+    assert!(text.contains("the same command without --fresh"), "{text}");
+
+    let mut running = Running::start(&desk, &study(""));
+    running.wait_for_handler();
+    running.signal("INT");
+    let (code, text) = running.end();
+    assert_eq!(code, Some(4), "{text}");
+    assert!(text.contains("give --report DIR"), "{text}");
+}
+
+/// A mean that is no number, as an integrand or a device may give one.
+#[test]
+fn means_that_are_not_finite_are_told_and_marked() {
+    let desk = Desk::new();
+    let cells = desk.path("out/unfinished.jsonl");
+    interrupted(&desk, &study("--report out"), &cells);
+    let text = std::fs::read_to_string(&cells).unwrap();
+    let (line, others) = text.split_once('\n').unwrap();
+    let mut cell: serde_json::Value = serde_json::from_str(line).unwrap();
+    // Of the first count, 16.
+    cell["cell"]["points"][0]["means"][3] = f64::NAN.to_bits().into();
+    std::fs::write(&cells, format!("{cell}\n{others}")).unwrap();
+    let said = desk.run(&study("--report out"));
+    let number = 8 * 12 + 12 + 8 * 12;
+    said.expect(
+        1,
+        &[
+            &format!("1 of {} means are not finite", 2 * number),
+            "random on x-squared at 16 points",
+        ],
+    );
+    let table = String::from_utf8_lossy(&said.stdout);
+    assert!(table.contains("; 1 not finite"), "{table}");
+    let page = String::from_utf8(desk.bytes("out/report.html")).unwrap();
+    assert!(page.contains("1 mean is not finite"));
 }
