@@ -5,6 +5,7 @@
 //! samples = 1024                     # of a pixel, at most 2^32
 //! seed = 1
 //! profile = "exact"
+//! gltf = "room.glb"                  # begins with its camera, lights and materials
 //!
 //! [target]                           # limits of the device, those that matter
 //! group-invocations = 128
@@ -18,7 +19,7 @@
 //! shutter = [0.0, 0.02]              # opens and closes, in seconds
 //!
 //! [environment]
-//! map = "sunrise.exr"                # counts from the file's own folder
+//! map = "sunrise.exr"                # paths count from the file's own folder
 //!
 //! [[light]]
 //! kind = "sphere"                    # area lights by shape, parameters as of `corput maps`
@@ -39,7 +40,7 @@
 //! lights need no choice: none of them has a domain.
 
 use super::table::{Source, Table, Value};
-use super::{Scene, Stated, Target, light, name_of, refused, surface};
+use super::{Camera, Scene, Stated, Target, gltf, light, name_of, refused, surface};
 use crate::Result;
 use crate::catalog::{Profile, Sampler};
 use std::path::Path;
@@ -80,7 +81,14 @@ pub fn parse(text: &str, path: &Path) -> Result<Scene> {
         source.refuse(at, error.message())
     })?;
     let mut table = Table::new(&source, 0, document.get_ref());
-    let mut scene = Scene::new(name_of(path))?;
+    let mut scene = match table.take("gltf") {
+        None => Scene::new(name_of(path))?,
+        Some(value) => Scene {
+            name: name_of(path),
+            ..placed(&value, gltf::read(&path.with_file_name(value.text()?)))?
+        },
+    };
+    let before = [scene.lights.len(), scene.materials.len()];
     if let Some(value) = table.take("sampler") {
         scene.sampler = Stated {
             value: placed(&value, Sampler::parse(value.text()?))?,
@@ -103,16 +111,24 @@ pub fn parse(text: &str, path: &Path) -> Result<Scene> {
         scene.target = target(value.table()?)?;
     }
     if let Some(value) = table.take("camera") {
-        scene.camera = surface::camera(value.table()?)?;
+        let stated = surface::camera(value.table()?)?;
+        let known = std::mem::take(&mut scene.camera);
+        scene.camera = Camera {
+            filter: stated.filter.or(known.filter),
+            lens: stated.lens.or(known.lens),
+            shutter: stated.shutter.or(known.shutter),
+        };
     }
     if let Some(value) = table.take("environment") {
         scene.lights.push(light::environment(&value)?);
     }
     for (index, table) in tables(&mut table, "light")?.into_iter().enumerate() {
-        scene.lights.push(light::light(table, index)?);
+        scene.lights.push(light::light(table, before[0] + index)?);
     }
     for (index, table) in tables(&mut table, "material")?.into_iter().enumerate() {
-        scene.materials.push(surface::material(table, index)?);
+        scene
+            .materials
+            .push(surface::material(table, before[1] + index)?);
     }
     for (index, table) in tables(&mut table, "medium")?.into_iter().enumerate() {
         scene.media.push(surface::medium(table, index)?);

@@ -19,6 +19,7 @@ mod document;
 mod file;
 mod gltf;
 mod kinds;
+mod layout;
 mod left_out;
 mod light;
 mod needs;

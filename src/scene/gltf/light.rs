@@ -41,9 +41,8 @@ pub(super) fn lights(scene: &mut Scene, walk: &Walk, buffers: &mut Buffers) -> R
             .found
             .push(format!("punctual lights without intensity: {dark}"));
     }
-    scene
-        .found
-        .push("no environment: glTF has none; a scene file may name one".into());
+    let line = "no environment: glTF has none; a scene file may add one";
+    scene.found.push(line.into());
     Ok(())
 }
 

@@ -1,7 +1,7 @@
 //! Scenes of glTF 2.0 files: what their lights, materials and camera draw.
 //!
 //! glTF knows neither samplers nor budgets, pixel filters, environments or apertures. The first
-//! two are the defaults of [`Scene`]; a camera has the filter of the pixel's square, and a lens
+//! two are the defaults of [`Scene`], and a scene file with `gltf = "FILE"` states them; a camera has the filter of the pixel's square, and a lens
 //! where its `extras` have an `aperture` above 0. Texels are not read: a factor above 0 is taken
 //! to count somewhere.
 

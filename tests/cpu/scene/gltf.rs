@@ -107,6 +107,30 @@ fn a_lantern_reads_its_bytes_from_beside_it() {
     );
 }
 
+/// The filter is the file's, the lens glTF's, and the sky joins the lights.
+#[test]
+fn a_scene_file_adds_to_gltf() {
+    let (scene, needs) = committed("studio_sky.toml");
+    let (studio, _) = committed("studio.glb");
+    assert_eq!(
+        (scene.name.as_str(), scene.samples.value),
+        ("studio_sky", 4096)
+    );
+    assert_eq!(scene.lights.len(), studio.lights.len() + 1);
+    assert_eq!(scene.materials, studio.materials);
+    assert_eq!(scene.camera.lens, studio.camera.lens);
+    let lines = drawn(&needs);
+    assert_eq!(
+        lines[..2],
+        [
+            "camera.filter filter-gaussian 0",
+            "camera.lens concentric-disk 2"
+        ]
+    );
+    assert!(lines.contains(&"light.environment environment 5".to_owned()));
+    assert_eq!(needs.dimensions(), 11);
+}
+
 fn lantern() -> Value {
     let text = std::fs::read_to_string(folder().join("lantern.gltf")).expect("a lantern");
     serde_json::from_str(&text).expect("JSON")

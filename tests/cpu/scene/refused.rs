@@ -146,6 +146,7 @@ fn missing_files_are_refused() {
         "[environment]\npower = 1\n",
         &["line 1, column 2", "`map` is missing"],
     );
+    says("gltf = \"no.glb\"\n", &["line 1, column 8", "no.glb"]);
     for path in ["no.toml", "no.glb", "no.gltf", "."] {
         let error = read(Path::new(path)).expect_err("a refusal");
         assert_eq!(error.exit_code(), 2, "{error}");
