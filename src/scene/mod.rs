@@ -217,7 +217,12 @@ pub struct Medium {
 pub fn read(path: &Path) -> Result<Scene> {
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     match ending.as_deref() {
-        Some("gltf" | "glb") => gltf::read(path),
+        Some("gltf" | "glb") => {
+            let mut scene = gltf::read(path)?;
+            let line = "no environment: glTF has none; a scene file may add one";
+            scene.found.push(line.into());
+            Ok(scene)
+        }
         _ => file::read(path),
     }
 }

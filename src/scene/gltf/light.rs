@@ -41,8 +41,6 @@ pub(super) fn lights(scene: &mut Scene, walk: &Walk, buffers: &mut Buffers) -> R
             .found
             .push(format!("punctual lights without intensity: {dark}"));
     }
-    let line = "no environment: glTF has none; a scene file may add one";
-    scene.found.push(line.into());
     Ok(())
 }
 

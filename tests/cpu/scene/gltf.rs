@@ -310,6 +310,60 @@ fn cut_binaries_are_refused() {
     );
 }
 
+/// Sparse files: what is too large is not read.
+#[test]
+fn huge_files_are_refused() {
+    let desk = tempfile::tempdir().expect("a folder");
+    for (name, bytes, message) in [
+        (
+            "huge.glb",
+            (1u64 << 30) + 1,
+            "the file has 1073741825 bytes; the most are 2^30",
+        ),
+        (
+            "huge.gltf",
+            (1 << 26) + 1,
+            "its JSON has 67108865 bytes; the most are 2^26",
+        ),
+    ] {
+        let path = desk.path().join(name);
+        let file = std::fs::File::create(&path).expect("a file");
+        file.set_len(bytes).expect("a sparse file");
+        let said = read(&path).expect_err("a refusal").to_string();
+        assert!(said.contains(message), "{said}");
+    }
+}
+
+#[test]
+fn more_triangles_than_a_choice_takes_are_refused() {
+    let with = |triangles: u64| {
+        changed(|document, folder| {
+            let indices = 3 * triangles;
+            let file = std::fs::File::create(folder.join("many.bin")).expect("a file");
+            file.set_len(indices).expect("a sparse file");
+            let buffers = document["buffers"].as_array_mut().expect("buffers");
+            buffers.push(json!({ "byteLength": indices, "uri": "many.bin" }));
+            let views = document["bufferViews"].as_array_mut().expect("views");
+            views.push(json!({ "buffer": 1, "byteLength": indices }));
+            let view = views.len() - 1;
+            let accessors = document["accessors"].as_array_mut().expect("accessors");
+            let component = json!({
+                "bufferView": view, "componentType": 5121, "count": indices, "type": "SCALAR",
+            });
+            accessors.push(component);
+            let accessor = accessors.len() - 1;
+            document["meshes"][1]["primitives"][0]["indices"] = json!(accessor);
+        })
+    };
+    // Four triangles are on the panes.
+    let most = (1 << 22) - 4;
+    let lights = with(most).map(|scene| scene.lights);
+    let lights = lights.expect("as many as there may be");
+    assert!(matches!(&lights[0].emitter, Emitter::Mesh(all) if all.len() == 1 << 22));
+    let said = with(most + 1).expect_err("a refusal");
+    assert!(said.contains("more than 2^22 triangles emit"), "{said}");
+}
+
 #[test]
 fn emitters_without_area_are_refused() {
     let said = refusal(|document| {
