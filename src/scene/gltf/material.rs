@@ -99,7 +99,7 @@ fn lobes(json: &Json, said: &str) -> Result<Vec<Lobe>> {
         };
         add("ggx", rough("ggx-vndf", along, alpha)?, why);
     }
-    if transmitted > 0.0 {
+    if colour && dielectric && transmitted > 0.0 {
         let why = format!("transmissionFactor {transmitted}, roughnessFactor {roughness}{times}");
         let alpha = square(roughness);
         add("transmission", rough("ggx-vndf-normal", alpha, alpha)?, why);

@@ -407,7 +407,8 @@ fn lobes_go_with_what_makes_them() {
     let specular = json!({ "KHR_materials_specular": { "specularFactor": 0.0 } });
     assert_eq!(model(0.0, specular), ["diffuse"]);
     let glass = json!({ "KHR_materials_transmission": { "transmissionFactor": 1.0 } });
-    assert_eq!(model(0.0, glass), ["ggx", "transmission"]);
+    assert_eq!(model(0.0, glass.clone()), ["ggx", "transmission"]);
+    assert_eq!(model(1.0, glass), ["ggx"]);
     let half = json!({ "KHR_materials_transmission": { "transmissionFactor": 0.5 } });
     assert_eq!(model(0.0, half), ["diffuse", "ggx", "transmission"]);
     let coat = json!({ "KHR_materials_clearcoat": { "clearcoatFactor": 1.0 } });
