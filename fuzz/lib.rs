@@ -3,4 +3,4 @@
 #[path = "../tests/cpu/parsers/properties.rs"]
 mod properties;
 
-pub use properties::{check, exr, hdr, npy, study};
+pub use properties::{check, exr, hdr, npy, scene, study};

@@ -187,6 +187,16 @@ pub enum Error {
         /// What to do.
         remedy: String,
     },
+    /// A scene that cannot be read or used.
+    #[error("cannot use scene {}: {problem}; {remedy}", path.display())]
+    Scene {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it, and where.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
     /// No Vulkan device at all.
     #[error("no Vulkan device was found ({reason}); {INSTALL_HINT}")]
     NoDevice {
@@ -393,6 +403,7 @@ impl Error {
             | Self::Points { .. }
             | Self::Document { .. }
             | Self::Study { .. }
+            | Self::Scene { .. }
             | Self::UnknownDevice { .. } => 2,
             Self::NoDevice { .. } | Self::InadequateDevice { .. } => 3,
             Self::Vulkan { .. }

@@ -13,6 +13,7 @@
 //!   `kernels::Estimator` on a device.
 //! - `converge`: error against run time, of samplers on integrands in replicates; `accuracy`:
 //!   errors of functions against their cost.
+//! - `scene`: what a renderer of one scene draws, of a description or a glTF file.
 //! - [`blue_noise`]: dither masks and point sets that are made once.
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
 //! - `check`: device against reference, judged by a third, slow implementation in
@@ -24,7 +25,8 @@
 //!
 //! Features: `cli` (default) is the command line; `gpu` the Vulkan host and the stock
 //! kernels, for which glslang's C++ is compiled; `images` reads environment maps and
-//! draws plots. Without any, the crate needs neither a C++ compiler nor Vulkan.
+//! draws plots; `scenes` reads scenes, of glTF too. Without any, the crate needs neither a
+//! C++ compiler nor Vulkan.
 //!
 //! ```
 //! use corput::bulk::Reference;
@@ -75,6 +77,8 @@ pub mod picture;
 pub mod plot;
 pub mod reference;
 pub mod report;
+#[cfg(feature = "scenes")]
+pub mod scene;
 pub mod spirv;
 pub mod stats;
 pub mod tables;

@@ -59,8 +59,19 @@ pub enum Command {
     Accuracy(AccuracyArgs),
     /// Draw the points of .npy files: scatter, pairs of dimensions, power spectrum.
     Plot(PlotArgs),
+    /// Say what a scene draws, and why, and what is left out: of a scene file or of glTF.
+    Scene(SceneArgs),
     /// Write arguments and results of everything exact, for ports to test themselves with.
     Vectors(VectorsArgs),
+}
+
+#[derive(Debug, Args)]
+pub struct SceneArgs {
+    /// A scene file (.toml), .gltf or .glb.
+    pub file: PathBuf,
+    /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Debug, Args)]

@@ -25,6 +25,7 @@ mod pixels;
 mod plot;
 mod points;
 mod progress;
+mod scene;
 mod vectors;
 
 use args::{Cli, Command};
@@ -53,6 +54,7 @@ pub fn main() -> ExitCode {
         Command::Bench(args) => bench::run(args),
         Command::Accuracy(args) => accuracy::run(args),
         Command::Plot(args) => plot::run(args),
+        Command::Scene(args) => scene::run(args),
         Command::Vectors(args) => vectors::run(args),
     };
     match result {

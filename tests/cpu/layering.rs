@@ -9,7 +9,7 @@ use source::{files, first_name, glsl, includes, reached, read, split_commas, wit
 use std::collections::BTreeSet;
 
 /// The levels of the design, lowest first. `lib.rs` only declares modules.
-const LEVELS: [&[&str]; 9] = [
+const LEVELS: [&[&str]; 10] = [
     &["interface", "tables", "error"],
     &[
         "reference",
@@ -24,6 +24,7 @@ const LEVELS: [&[&str]; 9] = [
     ],
     &["image"],
     &["catalog", "variant", "report", "picture", "plot", "compile"],
+    &["scene"],
     &["kernels", "bulk"],
     &["check"],
     &[

@@ -13,12 +13,13 @@ use std::path::{Path, PathBuf};
 /// A parser's folder of seeds, and what must hold of it.
 type Parser = (&'static str, fn(&[u8]));
 
-const PARSERS: [Parser; 5] = [
+const PARSERS: [Parser; 6] = [
     ("exr", properties::exr),
     ("hdr", properties::hdr),
     ("npy", properties::npy),
     ("study", properties::study),
     ("check", properties::check),
+    ("scene", properties::scene),
 ];
 
 fn folder(parser: &str) -> PathBuf {
@@ -58,6 +59,7 @@ fn seeds_are_read() {
                 "exr" | "hdr" => corput::image::load(&path).map(drop),
                 "npy" => corput::report::read_points(&path).map(drop),
                 "study" => corput::converge::read(&path).map(drop),
+                "scene" => properties::read_scene(bytes).map(drop),
                 _ => corput::check::compare(&path, &path).map(drop),
             };
             read.unwrap_or_else(|error| panic!("{parser} {k}: {error}"));

@@ -4,10 +4,11 @@
 use corput::check::compare;
 use corput::image::{MAX_HEIGHT, MAX_WIDTH, load, load_raw};
 use corput::report::read_points;
+use corput::scene::{self, Needs, Scene};
 use std::path::{Path, PathBuf};
 
 /// A file of this thread, in memory where the system has such a folder: the parsers take paths.
-fn with_file(ending: &str, data: &[u8], parse: impl FnOnce(&Path)) {
+fn with_file<T>(ending: &str, data: &[u8], parse: impl FnOnce(&Path) -> T) -> T {
     let memory = PathBuf::from("/dev/shm");
     let folder = if memory.is_dir() {
         memory
@@ -17,8 +18,9 @@ fn with_file(ending: &str, data: &[u8], parse: impl FnOnce(&Path)) {
     let (process, thread) = (std::process::id(), std::thread::current().id());
     let path = folder.join(format!("corput-{process}-{thread:?}.{ending}"));
     std::fs::write(&path, data).expect("a file in memory");
-    parse(&path);
+    let parsed = parse(&path);
     let _ = std::fs::remove_file(&path);
+    parsed
 }
 
 fn picture(ending: &str, data: &[u8]) {
@@ -79,4 +81,25 @@ pub fn check(data: &[u8]) {
             assert!(found.differ.is_empty() && found.native == 0);
         }
     });
+}
+
+/// A scene by what its bytes begin with: glTF, or a scene file.
+pub fn read_scene(data: &[u8]) -> corput::Result<Scene> {
+    match data {
+        [b'g', b'l', b'T', b'F', ..] => with_file("glb", data, scene::read),
+        [b'{', ..] => with_file("gltf", data, scene::read),
+        _ => scene::parse(&String::from_utf8_lossy(data), Path::new("scene.toml")),
+    }
+}
+
+/// Scenes: domains within the points' dimensions, or a refusal before work begins.
+pub fn scene(data: &[u8]) {
+    match read_scene(data).and_then(|scene| Needs::of(&scene)) {
+        Ok(needs) => {
+            let end = needs.domains.iter().map(|one| one.range().end).max();
+            assert_eq!(end, Some(needs.dimensions()));
+            assert!(needs.domains.iter().all(|one| !one.cause.text.is_empty()));
+        }
+        Err(error) => assert_eq!(error.exit_code(), 2, "{error}"),
+    }
 }

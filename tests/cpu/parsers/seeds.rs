@@ -22,8 +22,77 @@ pub fn seeds() -> Vec<Seed> {
     seeds.push(text("study", "estimators.toml", STUDY));
     seeds.push(text("check", "rows.json", CHECK));
     seeds.push(text("check", "none.json", r#"{"rows": []}"#));
+    seeds.extend(scenes());
     seeds
 }
+
+/// Scene files without images, and glTF of both kinds with its bytes inside.
+fn scenes() -> Vec<Seed> {
+    let text = |name: &str, text: &str| ("scene", name.to_owned(), text.as_bytes().to_vec());
+    let mut lantern: serde_json::Value =
+        serde_json::from_str(include_str!("../../data/scenes/lantern.gltf")).expect("JSON");
+    let bytes = include_bytes!("../../data/scenes/lantern.bin");
+    lantern["buffers"][0]["uri"] = format!("data:;base64,{}", base64(bytes)).into();
+    vec![
+        text("fog.toml", include_str!("../../data/scenes/fog.toml")),
+        text(
+            "glossy.toml",
+            include_str!("../../data/scenes/glossy_sphere.toml"),
+        ),
+        text(
+            "layered.toml",
+            include_str!("../../data/scenes/layered.toml"),
+        ),
+        text(
+            "lights.toml",
+            include_str!("../../data/scenes/many_lights.toml"),
+        ),
+        text("lantern.gltf", &lantern.to_string()),
+        ("scene", "triangle.glb".to_owned(), triangle()),
+    ]
+}
+
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let group = |three: &[u8]| {
+        let word = (0..3).fold(0, |word, k| {
+            word << 8 | usize::from(three.get(k).copied().unwrap_or(0))
+        });
+        let digit = |k: usize| char::from(DIGITS[word >> (18 - 6 * k) & 63]);
+        let padded = |k: usize| if k <= three.len() { digit(k) } else { '=' };
+        [padded(0), padded(1), padded(2), padded(3)]
+    };
+    bytes.chunks(3).flat_map(group).collect()
+}
+
+/// One triangle that emits, and a point light.
+fn triangle() -> Vec<u8> {
+    let mut json = TRIANGLE.replace('\n', "").into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let vertices = [0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let data: Vec<u8> = vertices.iter().flat_map(|x| x.to_le_bytes()).collect();
+    let word = |n: usize| (n as u32).to_le_bytes();
+    let mut bytes = b"glTF".to_vec();
+    bytes.extend(word(2));
+    bytes.extend(word(28 + json.len() + data.len()));
+    for (kind, chunk) in [(b"JSON", json), (b"BIN\0", data)] {
+        bytes.extend(word(chunk.len()));
+        bytes.extend(kind);
+        bytes.extend(chunk);
+    }
+    bytes
+}
+
+const TRIANGLE: &str = r#"{"asset":{"version":"2.0"},"scene":0,
+"extensionsRequired":["KHR_lights_punctual"],
+"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}},
+"scenes":[{"nodes":[0,1]}],
+"nodes":[{"mesh":0},{"extensions":{"KHR_lights_punctual":{"light":0}}}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+"materials":[{"emissiveFactor":[1,1,1]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36}]}"#;
 
 const STUDY: &str = r#"replicates = 32
 seed = 7

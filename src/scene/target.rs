@@ -1,0 +1,70 @@
+//! Limits of the device that a scene is for.
+
+use super::needs::{Domain, Draw, refused};
+use crate::Result;
+use crate::catalog::Group;
+use crate::interface::{KERNELS, PushConstants, WorkPush};
+
+/// Limits, each unknown unless stated.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Target {
+    /// Invocations of a workgroup: `maxComputeWorkGroupInvocations`.
+    pub group_invocations: Option<u64>,
+    /// Bytes of push constants: `maxPushConstantsSize`.
+    pub push_constant_bytes: Option<u64>,
+    /// Storage buffers of a stage: `maxPerStageDescriptorStorageBuffers`.
+    pub storage_buffers: Option<u64>,
+    /// Bytes of a storage buffer: `maxStorageBufferRange`.
+    pub storage_buffer_bytes: Option<u64>,
+}
+
+/// What a kernel that draws the domains needs of a target. Parameters are constants; the
+/// results, each environment and each choice among a mesh's triangles have a buffer.
+pub(super) fn check(target: &Target, domains: &[Domain]) -> Result<()> {
+    let tables: Vec<(&str, u64)> = domains.iter().filter_map(table).collect();
+    let group = KERNELS
+        .iter()
+        .find(|kernel| kernel.source == "generate_tile.comp");
+    let invocations = group.map_or(64, |kernel| u64::from(kernel.local_size));
+    let push = WorkPush::MEMBERS.len() as u64 * 4;
+    within(
+        target.group_invocations,
+        invocations,
+        "invocations of a workgroup",
+    )?;
+    within(target.push_constant_bytes, push, "bytes of push constants")?;
+    within(
+        target.storage_buffers,
+        1 + tables.len() as u64,
+        "storage buffers, for results and tables",
+    )?;
+    for (key, bytes) in tables {
+        let what = format!("bytes of a storage buffer, for the table of {key}");
+        within(target.storage_buffer_bytes, bytes, &what)?;
+    }
+    Ok(())
+}
+
+/// Key and bytes of the table of a domain, if it has one.
+fn table(domain: &Domain) -> Option<(&str, u64)> {
+    let words = match &domain.draw {
+        Draw::Map(mapping) if mapping.map().group == Group::Environment => {
+            mapping.tables().iter().map(Vec::len).sum()
+        }
+        // Three words of an alias table for each triangle.
+        Draw::Choice(all) if domain.key.ends_with(".triangle") => 3 * all.len(),
+        _ => return None,
+    };
+    Some((&domain.key, 4 * words as u64))
+}
+
+fn within(limit: Option<u64>, needed: u64, what: &str) -> Result<()> {
+    match limit {
+        Some(limit) if limit < needed => Err(refused(
+            format!("{needed} {what}"),
+            &format!("the target has {limit}"),
+            "choose another target, or leave out of the scene what needs them",
+        )),
+        _ => Ok(()),
+    }
+}
