@@ -15,6 +15,7 @@
 //!   errors of functions against their cost.
 //! - [`blue_noise`]: dither masks and point sets that are made once.
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
+//! - [`mod@strip`]: a shader without what it does not reach, as one file.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
 //! - `exhaustive`: functions of one word over every word, those of two over every critical pair.
@@ -77,6 +78,7 @@ pub mod reference;
 pub mod report;
 pub mod spirv;
 pub mod stats;
+pub mod strip;
 pub mod tables;
 pub mod variant;
 #[cfg(feature = "gpu")]

@@ -24,7 +24,7 @@ const LEVELS: [&[&str]; 9] = [
     ],
     &["image"],
     &["catalog", "variant", "report", "picture", "plot", "compile"],
-    &["kernels", "bulk"],
+    &["kernels", "bulk", "strip"],
     &["check"],
     &[
         "accuracy",
