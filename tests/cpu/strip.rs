@@ -6,6 +6,8 @@
 mod canonical;
 #[path = "strip/kernels.rs"]
 mod kernels;
+#[path = "strip/measure.rs"]
+mod measure;
 mod source;
 #[path = "strip/text.rs"]
 mod text;
