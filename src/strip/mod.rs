@@ -3,6 +3,7 @@
 //! [`flatten`] puts a shader's includes in place, decides its conditions, and keeps the
 //! declarations that `main` leads to. No name and no expression changes, so neither do results.
 //! [`measure`] counts what a compiled module has.
+//! [`host`] writes its interface for C, C++ and Rust.
 //!
 //! ```
 //! let shader = "#version 450\n#include \"corput/sobol_directions.glsl\"\n\
@@ -24,6 +25,7 @@ mod condition;
 mod fault;
 mod flat;
 mod group;
+pub mod host;
 mod item;
 mod lex;
 mod macros;

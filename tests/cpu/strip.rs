@@ -4,6 +4,11 @@
 
 #[path = "strip/canonical.rs"]
 mod canonical;
+#[path = "interface/facts.rs"]
+#[allow(dead_code, reason = "the test of the interface uses the rest")]
+mod facts;
+#[path = "strip/host.rs"]
+mod host;
 #[path = "strip/kernels.rs"]
 mod kernels;
 #[path = "strip/measure.rs"]
