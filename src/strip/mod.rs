@@ -2,8 +2,8 @@
 //!
 //! [`flatten`] puts a shader's includes in place, decides its conditions, and keeps the
 //! declarations that `main` leads to. No name and no expression changes, so neither do results.
-//! [`measure`] counts what a compiled module has.
-//! [`host`] writes its interface for C, C++ and Rust.
+//! [`bake`] makes plain constants of its specialization constants. [`measure`] counts what a compiled module has, [`host`] writes its interface for C, C++ and
+//! Rust, and `translate`, with the feature `strip`, writes it in other shading languages.
 //!
 //! ```
 //! let shader = "#version 450\n#include \"corput/sobol_directions.glsl\"\n\
@@ -20,6 +20,7 @@
 //! # Ok::<(), corput::Error>(())
 //! ```
 
+mod bake;
 mod classify;
 mod condition;
 mod fault;
@@ -33,10 +34,15 @@ mod measure;
 mod preprocess;
 mod print;
 mod reach;
+#[cfg(feature = "strip")]
+mod translate;
 mod words;
 
+pub use bake::bake;
 pub use flat::{Constant, Contents, Flat, Part};
 pub use measure::{Measure, measure};
+#[cfg(feature = "strip")]
+pub use translate::{About, Shader, Translations, translate};
 
 use crate::Result;
 use fault::{Fault, refuse};

@@ -16,3 +16,5 @@ mod measure;
 mod source;
 #[path = "strip/text.rs"]
 mod text;
+#[path = "strip/translate.rs"]
+mod translate;
