@@ -25,7 +25,7 @@
 //!
 //! Features: `cli` (default) is the command line; `gpu` the Vulkan host and the stock
 //! kernels, for which glslang's C++ is compiled; `images` reads environment maps and
-//! draws plots. Without any, the crate needs neither a C++ compiler nor Vulkan.
+//! draws plots; `strip` writes shaders in other languages. Without any, the crate needs neither a C++ compiler nor Vulkan.
 //!
 //! ```
 //! use corput::bulk::Reference;

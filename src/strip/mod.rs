@@ -73,9 +73,16 @@ pub fn flatten(main: &str, defines: &[(&str, Option<&str>)], lookup: &mut Lookup
     let mut lines = String::new();
     for (name, value) in defines {
         let value = value.unwrap_or("");
-        if name.contains('\n') || value.contains(['\n', '\\']) {
-            let problem = format!("the macro `{name}` takes several lines");
-            return Err(refuse(OUTSIDE, 0, problem, "give it in one"));
+        // Each is its line, and nothing of another's.
+        let name_ends = name.contains(char::is_whitespace) || name.contains("/*");
+        if name_ends || value.contains(['\n', '\\']) || value.contains("/*") {
+            let problem = format!("the macro `{name}` is not one name and one line");
+            return Err(refuse(
+                OUTSIDE,
+                0,
+                problem,
+                "give a name, and a value in one line",
+            ));
         }
         lines += format!("#define {name} {value}").trim_end();
         lines.push('\n');

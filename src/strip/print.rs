@@ -159,7 +159,7 @@ impl super::lex::Source {
         let line = lines.find(|line| line.contains("licence") || line.contains("License"))?;
         Some(
             line.trim_start_matches(['/', '*', ' '])
-                .trim_end_matches(['/', '*', ' ']),
+                .trim_end_matches(['/', '*', ' ', '\\', '\r']),
         )
     }
 }

@@ -343,7 +343,7 @@ fn what_is_not_understood_is_refused() {
     assert!(none("void main() {}\n", &[]).contains("no `#version`"));
     assert!(none("#version 450\nvoid other() {}\n", &[]).contains("no function `main`"));
     assert!(none("#version 450\nvoid main();\n", &[]).contains("no function `main`"));
-    assert!(none("#version 450\nvoid main() {}\n", &[("A\nB", None)]).contains("several lines"));
+    assert!(none("#version 450\nvoid main() {}\n", &[("A\nB", None)]).contains("not one name"));
 }
 
 #[test]
@@ -361,4 +361,43 @@ fn essl_and_line_comments() {
         flat.text
     );
     compiles(&flat);
+}
+
+#[test]
+fn broken_texts_are_errors_and_no_panics() {
+    let body = "#define F(a, b) a##s[0] + (b)\n#if defined(X) || (3 << 2) % 5 == 2\n/* c */\n#endif\n\
+                struct S { uint a; vec2 b[2]; } s; const uint T[2] = uint[2](1u, 2u);\n\
+                layout(constant_id = 1) const int K = -1; // d\nuint f(S s) { return F(word, T[0]); }\n\
+                void main() { for (uint i = 0u; i < 4u; i++) { words[i] = f(s); } }\n#undef F\n";
+    let mut state = 1u32;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+        (state >> 8) as usize % below
+    };
+    let (mut good, mut bad) = (0, 0);
+    for _ in 0..20_000 {
+        let mut text: Vec<char> = format!("{HEAD}{body}").chars().collect();
+        for _ in 0..=random(3) {
+            let (from, to) = (random(text.len()), random(text.len()));
+            match random(4) {
+                0 => text.truncate(from),
+                1 => drop(text.remove(from)),
+                2 => text.swap(from, to),
+                _ => text.insert(from, text[to]),
+            }
+            text.push('\n');
+        }
+        let text: String = text.into_iter().collect();
+        match flatten(&text, &[], &mut |_| None) {
+            Ok(flat) => {
+                // What is flat stays as it is.
+                let again = flatten(&flat.text, &[], &mut |_| None).expect("flat text is read");
+                assert_eq!(again.parts[0].left_out, Contents::default(), "{text}");
+                let _ = corput::strip::bake(&flat.text, &[(1, 2)]);
+                good += 1;
+            }
+            Err(_) => bad += 1,
+        }
+    }
+    assert!(good > 1000 && bad > 1000, "{good} {bad}");
 }
