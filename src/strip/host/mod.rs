@@ -11,7 +11,7 @@ pub use c::c_header;
 pub use rust::rust_module;
 
 use crate::interface::{Element, Kernel};
-use crate::{Error, Result};
+use crate::{Error, Result, spirv};
 
 /// The interface of a module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,9 +72,13 @@ pub struct Specialization {
 }
 
 impl Interface {
-    /// The interface of a stock kernel, whose module has so many words.
-    #[must_use]
-    pub fn of(kernel: &Kernel, spirv_words: usize) -> Self {
+    /// The interface of a stock kernel in one of its modules: of its buffers and constants those
+    /// that the module has, since a flattened one may lack some, and a baked one lacks constants.
+    ///
+    /// # Errors
+    /// The words are no module.
+    pub fn of(kernel: &Kernel, words: &[u32]) -> spirv::Result<Self> {
+        let facts = spirv::describe(words)?;
         let resource = |binding: &crate::interface::Binding| Resource {
             set: 0,
             binding: binding.binding,
@@ -91,18 +95,22 @@ impl Interface {
             offset: member.offset as u32,
             doc: member.doc.trim().to_owned(),
         };
+        let buffers = kernel.bindings.iter().map(resource);
         let constants = kernel.specialization().into_iter();
-        Self {
+        Ok(Self {
             name: kernel.name.to_owned(),
             entry_point: "main".to_owned(),
             workgroup: [kernel.local_size, 1, 1],
-            resources: kernel.bindings.iter().map(resource).collect(),
+            resources: buffers
+                .filter(|buffer| facts.bindings.contains(&(buffer.set, buffer.binding)))
+                .collect(),
             push: kernel.push.iter().map(field).collect(),
             constants: constants
+                .filter(|(id, _, _)| facts.spec_ids.contains(id))
                 .map(|(id, name, default)| Specialization { id, name, default })
                 .collect(),
-            spirv_words,
-        }
+            spirv_words: words.len(),
+        })
     }
 
     /// Bytes of the push-constant block.

@@ -170,21 +170,22 @@ fn compilers_agree_with_the_modules() {
     ];
     for name in names {
         let words = spirv(name).expect("a module");
-        let interface = Interface::of(row(name), words.len());
+        let interface = Interface::of(row(name), &words).expect("a module");
         let (header, module) = made(&interface);
         let demands = demands(&interface, &words);
         compile(&header, &module, &demands)
             .unwrap_or_else(|log| panic!("{name}: {log}\n{header}\n{module}"));
     }
     for kernel in KERNELS {
-        made(&Interface::of(kernel, 0));
+        let words = spirv(kernel.name).expect("a module");
+        made(&Interface::of(kernel, &words).expect("a module"));
     }
 }
 
 #[test]
 fn a_wrong_interface_does_not_compile() {
     let words = spirv("map_environment").expect("a module");
-    let right = Interface::of(row("map_environment"), words.len());
+    let right = Interface::of(row("map_environment"), &words).expect("a module");
     let demands = demands(&right, &words);
     let mut wrong = vec![right.clone(); 8];
     wrong[0].workgroup[1] = 2;
@@ -217,7 +218,8 @@ fn a_wrong_interface_does_not_compile() {
 
 #[test]
 fn gaps_and_names() {
-    let mut interface = Interface::of(row("fused"), 5);
+    let mut interface =
+        Interface::of(row("fused"), &spirv("fused").expect("a module")).expect("a module");
     let field = |name: &str, offset| Field {
         name: name.to_owned(),
         offset,
@@ -247,4 +249,26 @@ fn gaps_and_names() {
     refused(&|i| i.push[1].offset = 10, "at byte 10");
     refused(&|i| i.push[1].offset = 8, "at byte 8");
     refused(&|i| i.entry_point = "a\"b".to_owned(), "the entry point");
+}
+
+#[test]
+fn a_smaller_module_has_a_smaller_interface() {
+    // Of the tables only the first, and no constants.
+    let kernel = row("map_environment");
+    let text = "#version 450\nlayout(local_size_x = 64) in;\n\
+        layout(std430, set = 0, binding = 0) buffer Buffer0 { uvec4 results[]; };\n\
+        layout(std430, set = 0, binding = 2) readonly buffer Buffer2 { uint tables[]; };\n\
+        void main() { results[0] = uvec4(tables[1]); }\n";
+    let words = corput::compile::to_spirv(text, &[], &mut |_| None).expect("a shader");
+    let interface = Interface::of(kernel, &words).expect("a module");
+    let names: Vec<&str> = interface
+        .resources
+        .iter()
+        .map(|r| r.name.as_str())
+        .collect();
+    assert_eq!(names, ["results", "tables"]);
+    assert!(interface.constants.is_empty());
+    let (header, module) = made(&interface);
+    compile(&header, &module, &demands(&interface, &words)).expect("compiled");
+    assert!(Interface::of(kernel, &words[1..]).is_err());
 }
