@@ -13,6 +13,8 @@ mod host;
 mod kernels;
 #[path = "strip/measure.rs"]
 mod measure;
+#[path = "strip/refused.rs"]
+mod refused;
 mod source;
 #[path = "strip/text.rs"]
 mod text;
