@@ -331,6 +331,18 @@ pub enum Error {
         /// Rows that one has.
         missing: usize,
     },
+    /// GLSL that cannot be taken apart.
+    #[error("{file}, line {line}: {problem}; {remedy}")]
+    Glsl {
+        /// The include name; `main` for the shader itself.
+        file: String,
+        /// The line, from 1.
+        line: usize,
+        /// What is not understood there.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
     /// A shader that does not compile or breaks the rules of its tier.
     #[error("shader {shader}: {problem}")]
     Shader {
@@ -402,6 +414,7 @@ impl Error {
             | Self::Image { .. }
             | Self::Points { .. }
             | Self::Document { .. }
+            | Self::Glsl { .. }
             | Self::Study { .. }
             | Self::Scene { .. }
             | Self::UnknownDevice { .. } => 2,

@@ -16,6 +16,7 @@
 //! - `scene`: what a renderer of one scene draws, of a description or a glTF file.
 //! - [`blue_noise`]: dither masks and point sets that are made once.
 //! - [`stats`]: how good points are, of [`report::read_points`] or of one's own.
+//! - [`mod@strip`]: a shader without what it does not reach, as one file.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
 //! - `exhaustive`: functions of one word over every word, those of two over every critical pair.
@@ -25,8 +26,8 @@
 //!
 //! Features: `cli` (default) is the command line; `gpu` the Vulkan host and the stock
 //! kernels, for which glslang's C++ is compiled; `images` reads environment maps and
-//! draws plots; `scenes` reads scenes, of glTF too. Without any, the crate needs neither a
-//! C++ compiler nor Vulkan.
+//! draws plots; `scenes` reads scenes, of glTF too; `strip` writes shaders in other languages.
+//! Without any, the crate needs neither a C++ compiler nor Vulkan.
 //!
 //! ```
 //! use corput::bulk::Reference;
@@ -81,6 +82,7 @@ pub mod report;
 pub mod scene;
 pub mod spirv;
 pub mod stats;
+pub mod strip;
 pub mod tables;
 pub mod variant;
 #[cfg(feature = "gpu")]

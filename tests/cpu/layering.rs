@@ -25,7 +25,7 @@ const LEVELS: [&[&str]; 10] = [
     &["image"],
     &["catalog", "variant", "report", "picture", "plot", "compile"],
     &["scene"],
-    &["kernels", "bulk"],
+    &["kernels", "bulk", "strip"],
     &["check"],
     &[
         "accuracy",
