@@ -2,7 +2,7 @@
 
 use super::cell::{Cell, Point};
 use super::counts::SlopeCounts;
-use super::hits::{ENOUGH, Rarity, missed};
+use super::hits::{ENOUGH, ENOUGH_OF_ONE, Rarity, missed};
 use super::monotone::rising;
 use super::statistics::{Interval, Statistic, fit, median, quantile, slope};
 use super::truth::Truth;
@@ -52,6 +52,8 @@ pub struct ErrorAt {
     pub above_floor: bool,
     /// Points of all replicates on which the error hangs; `None` where that is not known.
     pub hits: Option<f64>,
+    /// Fewer are few: 100, and 100/32 of a single run.
+    pub enough: f64,
     /// Whether the mean over the replicates is off by more than they differ: all missed the same.
     pub missed: bool,
 }
@@ -60,7 +62,7 @@ impl ErrorAt {
     /// Whether so few points speak for the error that its interval is too narrow.
     #[must_use]
     pub fn few_hits(&self) -> bool {
-        self.missed || self.hits.is_some_and(|hits| hits < ENOUGH)
+        self.missed || self.hits.is_some_and(|hits| hits < self.enough)
     }
 }
 
@@ -103,6 +105,7 @@ impl Analysis {
                 let at = error_at(point, errors, truth, statistic);
                 ErrorAt {
                     hits: rarity.map(|rarity| rarity.hits(point.count, errors.len())),
+                    enough: if random { ENOUGH } else { ENOUGH_OF_ONE },
                     missed: statistic == Statistic::Rmse
                         && missed(
                             at.bias,
@@ -224,6 +227,7 @@ fn error_at(point: &Point, errors: &[f64], truth: &Truth, statistic: Statistic) 
         host_seconds: 1e-9 * median(point.host_ns.clone()),
         above_floor: error.value > ABOVE_FLOOR * truth.floor(),
         hits: None,
+        enough: ENOUGH,
         missed: false,
     }
 }

@@ -12,6 +12,9 @@ use super::truth::Truth;
 /// of 32 replicates hold the error in 8 of 10 studies at 10 to 50 hits, in 9 from 100 on.
 pub(super) const ENOUGH: f64 = 100.0;
 
+/// A single run has no interval. It is to be met by as many as each of 32 replicates then is.
+pub(super) const ENOUGH_OF_ONE: f64 = ENOUGH / 32.0;
+
 /// The share of studies in which a mean without bias is within Student's interval.
 pub(super) const SURE: f64 = 0.9999;
 

@@ -54,7 +54,7 @@ fn paragraphs(replicates: u32) -> String {
          all replicates, one or {replicates}, over the kurtosis of the terms, that is, the points \
          that meet a peak of which all others miss. The kurtosis is that of the random sampler with the most, \
          by how the variances of its replicates spread at the largest count. Errors of fewer than \
-         {ENOUGH} hits are dotted and faint in figures and marked in tables; medians do not hang on \
+         {ENOUGH} hits, or 3 in a single run, are dotted and faint in figures and marked in tables; medians do not hang on \
          rare terms, and have none. So are errors where the mean of all replicates is off by more \
          than Student's {sure} % interval and {ABOVE_FLOOR} floors: all of them missed the same.</p>\n\
          <p><strong>Slopes</strong> are those of log error over log N, by least squares over the \

@@ -148,14 +148,18 @@ fn few_hits(group: &[&Series]) -> Vec<String> {
         };
         let reach = match (most(true), most(false)) {
             (None, None) => return None,
-            (Some(all), None) => format!("to {all} points"),
-            (None, Some(single)) => format!("of single runs to {single} points"),
-            (Some(all), Some(single)) => format!("to {all} points, of single runs to {single}"),
+            (Some(all), None) => format!("fewer than {ENOUGH} effective hits to {all} points"),
+            (None, Some(one)) => {
+                format!("fewer than 3 effective hits in single runs to {one} points")
+            }
+            (Some(all), Some(one)) => format!(
+                "fewer than {ENOUGH} effective hits to {all} points, or 3 in single runs to {one}"
+            ),
         };
         let name = estimator.map_or(String::new(), |name| format!("{name}: "));
         Some(format!(
-            "{name}fewer than {ENOUGH} effective hits {reach}, or all replicates missed the \
-             same: intervals are too narrow there, and no slope is fitted."
+            "{name}{reach}, or all replicates missed the same: intervals are too narrow there, \
+             and no slope is fitted."
         ))
     };
     let estimators = group_by_estimator(group).into_iter();

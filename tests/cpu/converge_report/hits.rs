@@ -9,7 +9,7 @@ use corput::converge::{Analysis, Rarity, Statistic};
 fn few_hits_are_marked() {
     let mut study = plain();
     let rarity = |share| Some(Rarity { share });
-    // 100 hits of 8 replicates at 1250 points, and of a single run at 10,000.
+    // 100 hits of 8 replicates at 1250 points, and 3 of a single run at 312.
     for one in &mut study.series {
         let random = one.analysis.random;
         let (cell, truth) = (&one.cell, &one.truth);
@@ -19,29 +19,26 @@ fn few_hits_are_marked() {
     says(
         &page,
         &[
-            "<li>fewer than 100 effective hits to 1,024 points, of single runs to 4,096, or all",
+            "<li>fewer than 100 effective hits to 1,024 points, or 3 in single runs to 256, or all",
             "Dotted and faint: too few hits for an interval.",
             "stroke-dasharray=\"1.5 3\"",
-            "halton (one run) (few hits)</strong>",
             // Of 2048 and 4096 points alone there is no slope.
             "<td>-</td></tr>",
         ],
     );
-    let count = |part: &str| page.matches(part).count();
-    assert!(count("(one run; few hits)") > 0);
-    assert_eq!(
-        count("; few hits)"),
-        count("(one run; few hits)"),
-        "replicates have enough at the largest count"
-    );
+    assert!(!page.contains("; few hits)"), "not of the largest count");
     for one in &mut study.series {
         let random = one.analysis.random;
         let (cell, truth) = (&one.cell, &one.truth);
-        one.analysis = Analysis::new(cell, truth, random, Statistic::Rmse, rarity(0.001));
+        one.analysis = Analysis::new(cell, truth, random, Statistic::Rmse, rarity(0.0005));
     }
     says(
         &page_of(&study),
-        &["; few hits)</td>", "(one run; few hits)"],
+        &[
+            "; few hits)</td>",
+            "(one run; few hits)",
+            "halton (one run) (few hits)</strong>",
+        ],
     );
     let clean = page_of(&plain());
     for words in ["few hits)", "1.5 3", "Dotted"] {
