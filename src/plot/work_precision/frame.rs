@@ -1,9 +1,10 @@
 //! The axes: what they cover, and their ticks.
 
-use super::{APART, Curve, Measured, Work, WorkPrecisionStyle};
+use super::{APART, Curve, LABEL_GAP, Measured, Work, WorkPrecisionStyle};
 use crate::plot::axis::Axis;
 use crate::plot::numbers::duration;
 use crate::plot::svg::{Anchor, Canvas, FAINT, INK};
+use crate::plot::text;
 
 /// Left end of the horizontal axis.
 pub const LEFT: f64 = 66.0;
@@ -84,8 +85,8 @@ impl Frame {
         });
         canvas.group("ink", |canvas| {
             for (tick, label) in &across {
-                let y = bottom + 16.0;
-                canvas.text(*tick, y, Anchor::Middle, TICK_SIZE, INK, label);
+                let (x, y) = (label_middle(*tick, label, right), bottom + 16.0);
+                canvas.text(x, y, Anchor::Middle, TICK_SIZE, INK, label);
             }
             for (tick, label) in &up {
                 let x = LEFT - 7.0;
@@ -126,5 +127,27 @@ impl Frame {
             .filter(|value| self.x.holds(*value))
             .map(|value| (self.x.place(value), duration(value)))
             .collect()
+    }
+}
+
+/// The middle of a tick's label: below the tick, or as near as it stays whole where narrow
+/// pages cut the figure off beside axes that end at `right`.
+fn label_middle(tick: f64, label: &str, right: f64) -> f64 {
+    tick.min(right + LABEL_GAP - 1.0 - text::width(label, TICK_SIZE) / 2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_at_the_end_of_an_axis_are_whole() {
+        let right = LEFT + 300.0;
+        assert_eq!(label_middle(200.0, "10 ms", right), 200.0);
+        for label in ["10 ms", "100 ms", "2²²"] {
+            let half = text::width(label, TICK_SIZE) / 2.0;
+            let end = label_middle(right - 1.0, label, right) + half;
+            assert!(end < right + LABEL_GAP, "{label} ends at {end}");
+        }
     }
 }
