@@ -10,6 +10,8 @@ mod maps;
 mod pairs;
 mod pixels;
 mod reduce;
+#[cfg(feature = "scenes")]
+mod scene;
 mod stored;
 
 pub use estimate::estimate;
@@ -22,6 +24,8 @@ pub use pairs::{
 };
 pub use pixels::estimate_pixels;
 pub use reduce::reduce;
+#[cfg(feature = "scenes")]
+pub use scene::SceneReference;
 pub use stored::Stored;
 
 use crate::Result;

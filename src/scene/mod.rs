@@ -15,6 +15,7 @@
 //! # Ok::<(), corput::Error>(())
 //! ```
 
+mod choice;
 mod document;
 mod file;
 mod gltf;
@@ -23,15 +24,18 @@ mod layout;
 mod left_out;
 mod light;
 mod needs;
+mod record;
 mod surface;
 mod table;
 mod target;
 
+pub use choice::{Choice, Share};
 pub use document::{SCHEMA, document};
 pub use file::{LONGEST, parse};
 pub use gltf::{MOST_BYTES, MOST_JSON, MOST_TRIANGLES, SUPPORTED};
 pub use left_out::{LeftOut, Part};
 pub use needs::{Domain, Draw, Needs};
+pub use record::{Field, Record, Span};
 pub use target::Target;
 
 use crate::catalog::{Mapping, Profile, Sampler, Scramble, Sequence};

@@ -89,7 +89,7 @@ impl Needs {
         unique("medium", scene.media.iter().map(|one| one.name.as_str()))?;
         let Layout {
             domains,
-            mut left_out,
+            left_out,
             end: dimensions,
             ..
         } = Layout::of(scene)?;
@@ -102,6 +102,49 @@ impl Needs {
                 "give it a filter, a lens, an area light, a lobe or a medium",
             ));
         }
+        Self::with_domains(scene, domains, left_out, dimensions)
+    }
+
+    /// Those of bare points: a map over their first dimensions, where there is one, and numbers
+    /// in [0, 1) of the others. The scene's sampler, samples, seed and profile count.
+    ///
+    /// # Errors
+    /// What the sampler refuses; a map of more dimensions than the points have.
+    pub fn of_points(scene: &Scene, dimensions: u32, mapping: Option<Mapping>) -> Result<Self> {
+        let taken = mapping.as_ref().map_or(0, |one| one.map().dimensions);
+        if dimensions < taken {
+            return Err(refused(
+                format!("a map of {taken} dimensions over points of {dimensions}"),
+                "a map takes the first dimensions of a point",
+                "ask for more dimensions",
+            ));
+        }
+        let cause = Cause::new("as asked");
+        let map = mapping.map(|mapping| Domain {
+            key: mapping.map().name.to_owned(),
+            draw: Draw::Map(mapping),
+            first: 0,
+            cause: cause.clone(),
+        });
+        let number = |first| Domain {
+            key: format!("x{first}"),
+            draw: Draw::Between([0.0, 1.0]),
+            first,
+            cause: cause.clone(),
+        };
+        let domains: Vec<Domain> = map
+            .into_iter()
+            .chain((taken..dimensions).map(number))
+            .collect();
+        Self::with_domains(scene, domains, Vec::new(), dimensions)
+    }
+
+    fn with_domains(
+        scene: &Scene,
+        domains: Vec<Domain>,
+        mut left_out: Vec<LeftOut>,
+        dimensions: u32,
+    ) -> Result<Self> {
         let sampler = scene.sampler.value;
         let samples = scene.samples.value;
         let mut request = sampler.request(dimensions, samples, scene.seed)?;

@@ -1,5 +1,6 @@
 //! Limits of the device that a scene is for.
 
+use super::Choice;
 use super::needs::{Domain, Draw, refused};
 use crate::Result;
 use crate::catalog::Group;
@@ -19,9 +20,12 @@ pub struct Target {
 }
 
 /// What a kernel that draws the domains needs of a target. Parameters are constants; the
-/// results, each environment and each choice among a mesh's triangles have a buffer.
+/// results, each environment and each choice among many have a buffer.
 pub(super) fn check(target: &Target, domains: &[Domain]) -> Result<()> {
-    let tables: Vec<(&str, u64)> = domains.iter().filter_map(table).collect();
+    let mut tables: Vec<(&str, u64)> = Vec::new();
+    for domain in domains {
+        tables.extend(table(domain)?);
+    }
     let group = KERNELS
         .iter()
         .find(|kernel| kernel.source == "generate_tile.comp");
@@ -46,16 +50,15 @@ pub(super) fn check(target: &Target, domains: &[Domain]) -> Result<()> {
 }
 
 /// Key and bytes of the table of a domain, if it has one.
-fn table(domain: &Domain) -> Option<(&str, u64)> {
+fn table(domain: &Domain) -> Result<Option<(&str, u64)>> {
     let words = match &domain.draw {
         Draw::Map(mapping) if mapping.map().group == Group::Environment => {
             mapping.tables().iter().map(Vec::len).sum()
         }
-        // Three words of an alias table for each triangle.
-        Draw::Choice(all) if domain.key.ends_with(".triangle") => 3 * all.len(),
-        _ => return None,
+        Draw::Choice(weights) => Choice::new(weights)?.words().len(),
+        _ => 0,
     };
-    Some((&domain.key, 4 * words as u64))
+    Ok((words > 0).then_some((domain.key.as_str(), 4 * words as u64)))
 }
 
 fn within(limit: Option<u64>, needed: u64, what: &str) -> Result<()> {

@@ -33,6 +33,8 @@ mod macros;
 mod measure;
 mod preprocess;
 mod print;
+#[cfg(feature = "scenes")]
+pub mod program;
 mod reach;
 #[cfg(feature = "strip")]
 mod translate;

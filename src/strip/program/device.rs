@@ -1,0 +1,107 @@
+//! A scene's kernel compiled, and on a device.
+
+use super::{Parameters, Program};
+use crate::catalog::Profile as Functions;
+use crate::compile::{check, to_spirv};
+use crate::interface::Profile;
+use crate::vulkan::{Access, Buffer, Device, Pipeline, PipelineDescription, Timing};
+use crate::{Error, Result};
+use std::sync::Arc;
+
+impl Program {
+    /// The module: SPIR-V 1.3 of the flattened text, every float result `NoContraction`, and
+    /// held to the rules of its profile.
+    ///
+    /// # Errors
+    /// [`Error::Shader`] for what the compiler or the linter refuses, which is a defect of this
+    /// crate.
+    pub fn spirv(&self, text: &str) -> Result<Vec<u32>> {
+        let profile = match self.profile {
+            Functions::Exact => Profile::Float,
+            Functions::Native => Profile::Native,
+        };
+        to_spirv(text, &[], &mut |_| None)
+            .and_then(|words| check(&words, profile))
+            .map_err(|problem| Error::Shader {
+                shader: self.name.clone(),
+                problem,
+            })
+    }
+}
+
+/// Samples of a scene by its own kernel.
+pub struct Sampler {
+    device: Arc<Device>,
+    pipeline: Pipeline,
+    program: Program,
+    tables: Vec<Buffer>,
+}
+
+impl Sampler {
+    /// A pipeline of the program's module, and its tables in buffers. `words` need not be the
+    /// program's own, so that tests can run others.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn new(device: &Arc<Device>, program: &Program, words: &[u32]) -> Result<Self> {
+        let uniforms: Vec<u32> = program.parameter_binding().into_iter().collect();
+        let description = PipelineDescription {
+            name: &program.name,
+            spirv: words,
+            bindings: &program.bindings(),
+            push_constant_bytes: match program.parameters {
+                Parameters::Push => 8,
+                Parameters::Uniform => 0,
+            },
+            specialization: &[],
+        };
+        let table = |words: &[u32]| {
+            let mut buffer = Buffer::new(device, 4 * words.len() as u64, Access::Upload)?;
+            buffer.write(0, bytemuck::cast_slice(words))?;
+            Ok(buffer)
+        };
+        let tables = program.tables.iter().map(|one| table(&one.words));
+        Ok(Self {
+            device: Arc::clone(device),
+            pipeline: Pipeline::with_uniforms(device, &description, &uniforms)?,
+            tables: tables.collect::<Result<_>>()?,
+            program: program.clone(),
+        })
+    }
+
+    /// Makes samples into a buffer of at least [`Program::sample_bytes`].
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn dispatch(&self, results: &Buffer, first: u32, count: u32) -> Result<Timing> {
+        let parameters = [first, count, 0, 0];
+        let mut buffers = vec![(super::SAMPLES, results)];
+        let numbers = self.program.tables.iter().map(|table| table.binding);
+        buffers.extend(numbers.zip(&self.tables));
+        let mut uniform = None;
+        if self.program.parameter_binding().is_some() {
+            let mut buffer = Buffer::new(&self.device, 16, Access::Upload)?;
+            buffer.write(0, bytemuck::cast_slice(&parameters))?;
+            uniform = Some(buffer);
+        }
+        let push: &[u8] = match self.program.parameters {
+            Parameters::Push => bytemuck::cast_slice(&parameters[..2]),
+            Parameters::Uniform => &[],
+        };
+        buffers.extend(self.program.parameter_binding().zip(uniform.as_ref()));
+        let groups = self.program.groups(u64::from(count));
+        self.device.run(&self.pipeline, &buffers, push, groups)
+    }
+
+    /// Records of samples, all at once.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn run(&self, first: u32, count: u32) -> Result<Vec<u32>> {
+        let bytes = self.program.sample_bytes(u64::from(count)).max(16);
+        let mut results = Buffer::new(&self.device, bytes, Access::Readback)?;
+        self.dispatch(&results, first, count)?;
+        let made = 4 * u64::from(self.program.record.words) * u64::from(count);
+        results.read(0, made, bytemuck::pod_collect_to_vec)
+    }
+}

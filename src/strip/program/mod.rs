@@ -1,0 +1,297 @@
+//! The kernel of one scene: what it draws, and nothing else.
+//!
+//! A record of words per sample, one after the other in a buffer, each the words of every
+//! domain ([`Record`]). All that the scene says is in the text: coordinates of its sampler with
+//! direction numbers and digits, parameters of its maps, weights of its choices. What is
+//! looked up, environments and choices among many, is in a buffer each.
+
+mod choice;
+mod columns;
+#[cfg(feature = "gpu")]
+mod device;
+mod literal;
+mod maps;
+mod prepared;
+mod text;
+
+#[cfg(feature = "gpu")]
+pub use device::Sampler;
+
+use super::flat::Flat;
+use super::flatten;
+use super::host::{Field, Interface, Resource};
+use crate::catalog::{Group, Mapping, Profile};
+use crate::scene::{Choice, Draw, Needs, Record};
+use crate::variant::longest_run;
+use crate::{Error, Result};
+
+/// Invocations of a workgroup.
+pub const GROUP: u32 = 64;
+
+/// Where a kernel has its two parameters, `first` and `count`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Parameters {
+    /// In push constants.
+    #[default]
+    Push,
+    /// In a uniform block of 16 bytes, after the other bindings: for languages and engines
+    /// without push constants.
+    Uniform,
+}
+
+/// How to write a kernel. Results are the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Where the parameters are.
+    pub parameters: Parameters,
+    /// Long runs of samples per invocation, as CPU drivers like them, in place of four, which
+    /// leave writes of a GPU's lanes side by side.
+    pub cpu: bool,
+}
+
+/// A buffer of words that the kernel only reads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// Its binding in set 0.
+    pub binding: u32,
+    /// The name of the array.
+    pub name: String,
+    /// The key of the domain that draws by it.
+    pub key: String,
+    /// What the buffer holds.
+    pub words: Vec<u32>,
+}
+
+/// The kernel of a scene.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The scene's name.
+    pub name: String,
+    /// GLSL with includes.
+    pub source: String,
+    /// What a record consists of.
+    pub record: Record,
+    /// Samples of an invocation.
+    pub run: u32,
+    /// Whether four records are stored at a time: then the buffer of samples holds a multiple
+    /// of four, and its elements are `uvec4`.
+    pub wide: bool,
+    /// Tables, by binding.
+    pub tables: Vec<Table>,
+    /// Where the parameters are.
+    pub parameters: Parameters,
+    /// Whose functions the maps use.
+    pub profile: Profile,
+    /// How many samples there will ever be: greater indices are not the sampler's.
+    pub samples: u64,
+}
+
+/// The binding of the samples.
+const SAMPLES: u32 = 0;
+
+/// Words of a record of which four are made in a row.
+const WIDE_WORDS: u32 = 12;
+
+/// Samples of an invocation where each is long, and where lanes are to write side by side.
+const SHORT_RUN: u32 = 4;
+
+/// Words of a table that every device's buffers hold: 2^25.
+const TABLE_WORDS: usize = crate::interface::TABLE_WORDS;
+
+/// The kernel of a scene of that name.
+///
+/// # Errors
+/// [`Error::Arguments`] for numbers that floats cannot tell apart, for more than one
+/// environment, and for an environment of more than 2^25 words.
+pub fn program(name: &str, needs: &Needs, options: Options) -> Result<Program> {
+    let record = Record::of(needs);
+    let profile = needs.request.profile;
+    let samples = needs.request.count;
+    let mut short = record.words <= WIDE_WORDS;
+    let mut tables: Vec<Table> = Vec::new();
+    for (domain, field) in needs.domains.iter().zip(&record.fields) {
+        let table = match &domain.draw {
+            Draw::Between(_) => None,
+            Draw::Choice(weights) => {
+                let words = Choice::new(weights)?.words();
+                (!words.is_empty()).then(|| (format!("choice_{}", field.name), words))
+            }
+            Draw::Map(mapping) => {
+                short &= maps::code(mapping, profile).short;
+                environment(mapping)?.map(|words| (text::ENVIRONMENT.to_owned(), words))
+            }
+        };
+        let Some((name, words)) = table else {
+            continue;
+        };
+        if tables.iter().any(|one| one.name == name) {
+            return Err(refused(
+                "two environments".to_owned(),
+                "a kernel draws by one",
+                "leave one out",
+            ));
+        }
+        short = false;
+        tables.push(Table {
+            binding: SAMPLES + 1 + tables.len() as u32,
+            name,
+            key: domain.key.clone(),
+            words,
+        });
+    }
+    let columns = &needs.request.columns;
+    let run = if options.cpu && short {
+        // Loops of four columns stay within what llvmpipe lets an invocation do.
+        let longest = columns.iter().map(longest_run).min().unwrap_or(SHORT_RUN);
+        (longest / (columns.len() as u32).div_ceil(4) / 4 * 4).max(SHORT_RUN)
+    } else {
+        SHORT_RUN
+    };
+    let mut program = Program {
+        name: name.to_owned(),
+        source: String::new(),
+        record,
+        run,
+        wide: short,
+        tables,
+        parameters: options.parameters,
+        profile,
+        samples,
+    };
+    program.source = text::source(&program, needs)?;
+    Ok(program)
+}
+
+/// The words of an environment, of a map that draws by one.
+fn environment(mapping: &Mapping) -> Result<Option<Vec<u32>>> {
+    if mapping.map().group != Group::Environment {
+        return Ok(None);
+    }
+    let words: Vec<u32> = mapping.tables().concat();
+    if words.len() > TABLE_WORDS {
+        return Err(refused(
+            format!("an environment of {} words", words.len()),
+            "a buffer of 2^25 words is what every device has",
+            "scale the picture down",
+        ));
+    }
+    Ok(Some(words))
+}
+
+fn refused(asked: String, limit: &str, remedy: &str) -> Error {
+    Error::Arguments {
+        asked,
+        limit: limit.to_owned(),
+        remedy: remedy.to_owned(),
+    }
+}
+
+impl Program {
+    /// One file of what the kernel reaches. `portable` does without carries and extended
+    /// products, which some languages lack.
+    ///
+    /// # Errors
+    /// None that can be met: the source is this crate's.
+    pub fn flat(&self, portable: bool) -> Result<Flat> {
+        let defines: &[(&str, Option<&str>)] = match portable {
+            true => &[("CORPUT_PORTABLE", None)],
+            false => &[],
+        };
+        let headers = crate::headers();
+        let mut lookup = |name: &str| {
+            let found = headers.iter().find(|(known, _)| *known == name);
+            found.map(|(_, text)| (*text).to_owned())
+        };
+        flatten(&self.source, defines, &mut lookup)
+    }
+
+    /// Bytes that a buffer of so many samples has.
+    #[must_use]
+    pub fn sample_bytes(&self, count: u64) -> u64 {
+        let whole = if self.wide {
+            count.next_multiple_of(4)
+        } else {
+            count
+        };
+        4 * u64::from(self.record.words) * whole
+    }
+
+    /// Workgroups for so many samples.
+    #[must_use]
+    pub fn groups(&self, count: u64) -> u64 {
+        count
+            .div_ceil(u64::from(self.run))
+            .div_ceil(u64::from(GROUP))
+    }
+
+    /// The binding of the parameters, where they are in a uniform block.
+    #[must_use]
+    pub fn parameter_binding(&self) -> Option<u32> {
+        let binding = SAMPLES + 1 + self.tables.len() as u32;
+        (self.parameters == Parameters::Uniform).then_some(binding)
+    }
+
+    /// All bindings, ascending.
+    #[must_use]
+    pub fn bindings(&self) -> Vec<u32> {
+        let tables = self.tables.iter().map(|table| table.binding);
+        std::iter::once(SAMPLES)
+            .chain(tables)
+            .chain(self.parameter_binding())
+            .collect()
+    }
+
+    /// The interface of its module.
+    ///
+    /// # Errors
+    /// [`Error::Shader`] for words that are no module, or one with other bindings.
+    pub fn interface(&self, words: &[u32]) -> Result<Interface> {
+        let wrong = |problem: String| Error::Shader {
+            shader: self.name.clone(),
+            problem,
+        };
+        let facts = crate::spirv::describe(words).map_err(|error| wrong(error.to_string()))?;
+        let found = facts.bindings;
+        let known: Vec<(u32, u32)> = self.bindings().into_iter().map(|b| (0, b)).collect();
+        if found != known {
+            return Err(wrong(format!("it binds {found:?}, not {known:?}")));
+        }
+        let buffer = |binding, name: &str, stride, read_only| Resource {
+            set: 0,
+            binding,
+            name: name.to_owned(),
+            uniform_bytes: None,
+            stride,
+            read_only,
+        };
+        let stride = 4 * self.record.words;
+        let mut resources = vec![buffer(SAMPLES, "samples", stride, false)];
+        let tables = self.tables.iter();
+        resources.extend(tables.map(|table| buffer(table.binding, &table.name, 4, true)));
+        resources.extend(self.parameter_binding().map(|binding| Resource {
+            uniform_bytes: Some(16),
+            ..buffer(binding, "parameters", 16, true)
+        }));
+        let field = |name: &str, offset, doc: &str| Field {
+            name: name.to_owned(),
+            offset,
+            doc: doc.to_owned(),
+        };
+        let push = match self.parameters {
+            Parameters::Uniform => Vec::new(),
+            Parameters::Push => vec![
+                field("first", 0, "Index of the first sample."),
+                field("count", 4, "Samples to make."),
+            ],
+        };
+        Ok(Interface {
+            name: self.name.clone(),
+            entry_point: "main".to_owned(),
+            workgroup: [GROUP, 1, 1],
+            resources,
+            push,
+            constants: Vec::new(),
+            spirv_words: words.len(),
+        })
+    }
+}

@@ -1,0 +1,270 @@
+//! The GLSL of a scene's kernel, part by part.
+
+use super::literal::{indented, real, word};
+use super::{GROUP, Parameters, Program, SAMPLES, choice, columns, maps};
+use crate::Result;
+use crate::scene::{Choice, Draw, Field, Needs, Span};
+use std::fmt::Write;
+
+/// The name of the buffer of an environment.
+pub(super) const ENVIRONMENT: &str = "environment";
+
+/// The source with includes. Writing to a String cannot fail, so results of it are dropped.
+pub(super) fn source(program: &Program, needs: &Needs) -> Result<String> {
+    let columns: Vec<columns::Code> = needs
+        .request
+        .columns
+        .iter()
+        .enumerate()
+        .map(|(number, column)| columns::code(column, number, program.run, program.samples))
+        .collect();
+    let mut includes: Vec<String> = Vec::new();
+    for column in &columns {
+        includes.extend(column.includes.iter().map(|&name| name.to_owned()));
+    }
+    let mut functions = String::new();
+    for (domain, field) in needs.domains.iter().zip(&program.record.fields) {
+        let _ = writeln!(
+            functions,
+            "// {}: {}; {}.",
+            comment(&domain.key),
+            field.values.join(", "),
+            comment(&domain.cause.to_string())
+        );
+        let name = format!("draw_{}", field.name);
+        match &domain.draw {
+            Draw::Between(ends) => {
+                let unit = columns
+                    .get(domain.first as usize)
+                    .map_or("", |c| c.unit.as_str());
+                let span = Span::new(*ends)?;
+                includes.extend(span.map(|_| "corput/real.glsl".to_owned()));
+                functions += &between(&name, span, unit);
+            }
+            Draw::Choice(weights) => {
+                let table = format!("choice_{}", field.name);
+                functions += &choice::function(&name, &Choice::new(weights)?, &table);
+            }
+            Draw::Map(mapping) => {
+                let code = maps::code(mapping, program.profile);
+                includes.push(code.include);
+                let taken = vector(mapping.map().dimensions);
+                let kind = vector(field.values.len() as u32);
+                let body = indented(&code.body, 4);
+                let _ = write!(functions, "{kind} {name}({taken} u) {{\n{body}}}\n");
+            }
+        }
+        functions.push('\n');
+    }
+    includes.sort_unstable();
+    includes.dedup();
+
+    let mut text = head(program);
+    for name in includes {
+        let _ = writeln!(text, "#include \"{name}\"");
+    }
+    text.push('\n');
+    text += &cursor(&columns);
+    text.push('\n');
+    text += &functions;
+    text += &sample(program, needs);
+    text.push('\n');
+    text += &main(program);
+    Ok(text)
+}
+
+/// A text without what would end a comment's line.
+fn comment(text: &str) -> String {
+    let plain = |c: char| if c.is_ascii_graphic() { c } else { ' ' };
+    text.chars()
+        .map(plain)
+        .collect::<String>()
+        .replace('\\', "/")
+}
+
+fn vector(words: u32) -> &'static str {
+    match words {
+        0 | 1 => "uint",
+        2 => "uvec2",
+        3 => "uvec3",
+        _ => "uvec4",
+    }
+}
+
+/// What comes before the includes.
+fn head(program: &Program) -> String {
+    let mut text = format!(
+        "#version 450\n#extension GL_EXT_control_flow_attributes : require\n\
+         // Samples of {}: records of {} words, {} samples at most.\n\
+         // Made by corput {}, {}.\n\
+         layout(local_size_x = {GROUP}) in;\n",
+        comment(&program.name),
+        program.record.words,
+        program.samples,
+        env!("CARGO_PKG_VERSION"),
+        env!("CARGO_PKG_LICENSE"),
+    );
+    let element = if program.wide { "uvec4" } else { "uint" };
+    let _ = writeln!(
+        text,
+        "layout(std430, set = 0, binding = {SAMPLES}) writeonly buffer Samples {{ {element} samples[]; }};"
+    );
+    for (number, table) in program.tables.iter().enumerate() {
+        let _ = writeln!(
+            text,
+            "layout(std430, set = 0, binding = {}) readonly buffer Table{number} {{ uint {}[]; }};",
+            table.binding, table.name
+        );
+    }
+    let block = match program.parameter_binding() {
+        Some(binding) if program.parameters == Parameters::Uniform => {
+            format!("layout(std140, set = 0, binding = {binding}) uniform Parameters")
+        }
+        _ => "layout(push_constant) uniform Push".to_owned(),
+    };
+    let _ = write!(
+        text,
+        "{block} {{\n    // Index of the first sample.\n    uint first;\n    \
+         // Samples to make.\n    uint count;\n}} push;\n\n"
+    );
+    if program.tables.iter().any(|table| table.name == ENVIRONMENT) {
+        let _ = writeln!(text, "#define CORPUT_DISCRETE(i) {ENVIRONMENT}[i]");
+    }
+    text
+}
+
+/// Where consecutive samples stand, and their coordinates.
+fn cursor(columns: &[columns::Code]) -> String {
+    let mut text = String::new();
+    for column in columns {
+        text += &column.globals;
+    }
+    let members = || columns.iter().flat_map(|column| &column.members);
+    text += "\n// Where a run of samples stands.\nstruct Cursor {\n    uint n;\n";
+    for (kind, name, _) in members() {
+        let _ = writeln!(text, "    {kind} {name};");
+    }
+    text += "};\n\nCursor cursor_at(uint n) {\n    return Cursor(n";
+    for (_, _, value) in members() {
+        let _ = write!(text, ",\n        {value}");
+    }
+    text += ");\n}\n\nCursor cursor_next(Cursor c) {\n    c.n += 1u;\n";
+    for column in columns.iter().filter(|column| !column.next.is_empty()) {
+        let _ = writeln!(text, "    {}", column.next);
+    }
+    text += "    return c;\n}\n";
+    for (number, column) in columns.iter().enumerate() {
+        let _ = write!(
+            text,
+            "\nuint fraction{number}(Cursor c) {{\n    return {};\n}}\n",
+            column.fraction
+        );
+    }
+    text
+}
+
+fn between(name: &str, span: Option<Span>, unit: &str) -> String {
+    let body = match span {
+        None => format!("return floatBitsToUint({unit});\n"),
+        Some(Span { low, high, width }) => format!(
+            "const CorputReal low = {};\nconst CorputReal high = {};\n\
+             const CorputReal width = {};\n\
+             CorputReal part = corput_real_multiply(width, corput_real_uint(u, -32));\n\
+             return floatBitsToUint(corput_real_float(corput_real_min(corput_real_add(low, part), high)));\n",
+            real(low),
+            real(high),
+            real(width)
+        ),
+    };
+    format!("uint {name}(uint u) {{\n{}}}\n", indented(&body, 4))
+}
+
+/// All domains of a sample.
+fn sample(program: &Program, needs: &Needs) -> String {
+    let mut text = "struct Sample {\n".to_owned();
+    for field in &program.record.fields {
+        let kind = vector(field.values.len() as u32);
+        let _ = writeln!(text, "    {kind} {};", field.name);
+    }
+    text += "};\n\nSample sample_at(Cursor c) {\n";
+    for number in 0..needs.dimensions() {
+        let _ = writeln!(text, "    uint u{number} = fraction{number}(c);");
+    }
+    text += "    return Sample(";
+    for (at, (domain, field)) in needs.domains.iter().zip(&program.record.fields).enumerate() {
+        let taken: Vec<String> = domain.range().map(|number| format!("u{number}")).collect();
+        let taken = match &taken[..] {
+            [one] => one.clone(),
+            all => format!("{}({})", vector(all.len() as u32), all.join(", ")),
+        };
+        let comma = if at == 0 { "" } else { "," };
+        let _ = write!(text, "{comma}\n        draw_{}({taken})", field.name);
+    }
+    text += ");\n}\n";
+    text
+}
+
+/// The words of a sample in a variable, in order.
+fn words<'p>(program: &'p Program, of: &'p str) -> impl Iterator<Item = String> + 'p {
+    let one = move |field: &'p Field| {
+        let count = field.values.len();
+        let axes = ["x", "y", "z", "w"].into_iter().take(count);
+        axes.map(move |axis| match count {
+            1 => format!("{of}.{}", field.name),
+            _ => format!("{of}.{}.{axis}", field.name),
+        })
+    };
+    program.record.fields.iter().flat_map(one)
+}
+
+fn main(program: &Program) -> String {
+    let run = word(program.run);
+    let stride = program.record.words;
+    let mut text = format!(
+        "void main() {{\n\
+         \x20   // More groups than one axis holds are dispatched in two.\n\
+         \x20   uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n\
+         \x20   uint i = group * {GROUP}u + gl_LocalInvocationID.x;\n\
+         \x20   if (i >= push.count / {run} + min(push.count % {run}, 1u)) {{\n        return;\n    }}\n\
+         \x20   uint begin = i * {run};\n\
+         \x20   uint count = min({run}, push.count - begin);\n\
+         \x20   Cursor c = cursor_at(push.first + begin);\n"
+    );
+    if program.wide {
+        let _ = write!(
+            text,
+            "    uint at = i * {};\n    [[dont_unroll]] for (uint k = 0u; k < count; k += 4u) {{\n",
+            word(program.run / 4 * stride)
+        );
+        let four = ["a", "b", "d", "e"];
+        for name in four {
+            let _ = writeln!(
+                text,
+                "        Sample {name} = sample_at(c);\n        c = cursor_next(c);"
+            );
+        }
+        let all: Vec<String> = four.iter().flat_map(|name| words(program, name)).collect();
+        for (row, four) in all.chunks(4).enumerate() {
+            let _ = writeln!(
+                text,
+                "        samples[at + {row}u] = uvec4({});",
+                four.join(", ")
+            );
+        }
+        let _ = write!(text, "        at += {stride}u;\n    }}\n}}\n");
+        return text;
+    }
+    let _ = write!(
+        text,
+        "    uint at = begin * {stride}u;\n    [[dont_unroll]] for (uint k = 0u; k < count; k++) {{\n\
+         \x20       Sample s = sample_at(c);\n"
+    );
+    for (at, word) in words(program, "s").enumerate() {
+        let _ = writeln!(text, "        samples[at + {at}u] = {word};");
+    }
+    let _ = write!(
+        text,
+        "        at += {stride}u;\n        c = cursor_next(c);\n    }}\n}}\n"
+    );
+    text
+}

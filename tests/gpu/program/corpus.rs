@@ -1,0 +1,108 @@
+//! Scenes to prove the kernels of scenes with: files, every sampler, every map.
+
+use corput::catalog::{
+    Map, Mapping, Options, Profile, Request, SEQUENCES, Sampler, Scramble, Sequence, maps,
+};
+use corput::scene::{Needs, Scene, Stated, read};
+use std::fs;
+use std::path::Path;
+
+/// A scene, and what it draws.
+pub struct Case {
+    pub name: String,
+    pub needs: Needs,
+}
+
+/// The scenes in tests/data/scenes.
+pub fn files() -> Vec<Case> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/scenes");
+    let mut paths: Vec<_> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| {
+            let ending = path.extension().unwrap_or_default();
+            ["toml", "gltf", "glb"].iter().any(|known| ending == *known)
+        })
+        .collect();
+    paths.sort();
+    let case = |path: &std::path::PathBuf| {
+        let scene = read(path).unwrap();
+        Case {
+            needs: Needs::of(&scene).unwrap(),
+            name: scene.name,
+        }
+    };
+    paths.iter().map(case).collect()
+}
+
+fn scene(sampler: &str, samples: u64, seed: u64) -> Scene {
+    let mut scene = Scene::new("made").unwrap();
+    scene.sampler = Stated {
+        value: Sampler::parse(sampler).unwrap(),
+        cause: scene.sampler.cause.clone(),
+    };
+    scene.samples.value = samples;
+    scene.seed = seed;
+    scene
+}
+
+/// Every sampler with every scramble: bare points, and where there are three dimensions or
+/// more a map over the first two and a number.
+pub fn samplers() -> Vec<Case> {
+    let map = || Mapping::new(Map::from_name("cosine-hemisphere").unwrap(), &[]).unwrap();
+    let mut cases = Vec::new();
+    for sequence in SEQUENCES {
+        let scrambles: Vec<Option<Scramble>> = match sequence.scrambles() {
+            [] => vec![None],
+            all => all.iter().copied().map(Some).collect(),
+        };
+        for scramble in scrambles {
+            let Ok(sampler) = Sampler::new(*sequence, scramble) else {
+                continue;
+            };
+            let name = sampler.name();
+            for (dimensions, mapping) in [(1, None), (2, None), (3, Some(map())), (7, None)] {
+                let samples = if dimensions == 2 { 1 << 32 } else { 46_225 };
+                let scene = scene(&name, samples, 0x0123_4567_89ab_cdef);
+                // Sets of other sizes, sequences of fewer dimensions.
+                if let Ok(needs) = Needs::of_points(&scene, dimensions, mapping) {
+                    let name = format!("{name}, {dimensions} dimensions");
+                    cases.push(Case { name, needs });
+                }
+            }
+        }
+    }
+    cases
+}
+
+/// Every map, with its first and last example of parameters, or as they are by default.
+pub fn every_map(profile: Profile) -> Vec<Case> {
+    let mut cases = Vec::new();
+    for map in maps() {
+        let examples: Vec<Mapping> = match map.examples {
+            [] => vec![Mapping::with_values(map, &[]).unwrap()],
+            [one] => vec![Mapping::with_values(map, one).unwrap()],
+            [first, .., last] => [first, last]
+                .iter()
+                .map(|values| Mapping::with_values(map, values).unwrap())
+                .collect(),
+        };
+        for (number, mapping) in examples.into_iter().enumerate() {
+            let mut scene = scene("sobol:owen-hash", 1 << 20, 7);
+            scene.profile = profile;
+            let needs = Needs::of_points(&scene, map.dimensions, Some(mapping)).unwrap();
+            let name = format!("{} {number}", map.name);
+            cases.push(Case { name, needs });
+        }
+    }
+    cases
+}
+
+/// A request for the points that a domain draws from.
+pub fn points_of(needs: &Needs, first: u32, dimensions: u32) -> Request {
+    let mut request = Request::new(&Options::new(Sequence::Sobol, 1)).unwrap();
+    request.clone_from(&needs.request);
+    let range = first as usize..(first + dimensions) as usize;
+    request.columns = needs.request.columns[range].to_vec();
+    request
+}
