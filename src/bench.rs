@@ -1,6 +1,9 @@
 //! Speed, as a ratio to a fill of the same bytes in the same run. Verify first, then
 //! time: a kernel whose words are not the reference's is not timed.
 
+#[cfg(feature = "scenes")]
+pub mod scene;
+
 use crate::bulk::Reference;
 use crate::catalog::{Map, Mapping, Options, Profile, Request, Scramble, Sequence};
 use crate::kernels::Generator;

@@ -61,6 +61,8 @@ pub enum Command {
     Plot(PlotArgs),
     /// Say what a scene draws, and why, and what is left out: of a scene file or of glTF.
     Scene(SceneArgs),
+    /// Write the smallest kernel that draws a scene's samples, in several languages.
+    Strip(Box<StripArgs>),
     /// Write arguments and results of everything exact, for ports to test themselves with.
     Vectors(VectorsArgs),
 }
@@ -70,6 +72,54 @@ pub struct SceneArgs {
     /// A scene file (.toml), .gltf or .glb.
     pub file: PathBuf,
     /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct StripArgs {
+    /// A scene file (.toml), .gltf or .glb; or give a sampler.
+    pub file: Option<PathBuf>,
+    /// Points of this sampler in place of a scene, as sobol:owen-hash.
+    #[arg(long)]
+    pub sampler: Option<String>,
+    /// Their dimensions [default: those of the map, or 2].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub dims: Option<u64>,
+    /// How many there will ever be, 1 to 2^32 [default: 1024].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub samples: Option<u64>,
+    /// Their seed [default: 0].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub seed: Option<u64>,
+    /// A map over their first dimensions; the others stay numbers in [0, 1).
+    #[arg(long)]
+    pub map: Option<String>,
+    /// A parameter of the map, as alpha=0.1 or wo=0.8,0,0.6; `corput maps` lists them.
+    #[arg(long, value_name = "NAME=X[,X...]", value_parser = param, allow_hyphen_values = true)]
+    pub param: Vec<Param>,
+    /// exact: the same bytes everywhere; native: the device's own functions [default: exact].
+    #[arg(long)]
+    pub profile: Option<String>,
+    /// The folder of the files: NAME.glsl and so on, tables, manifest.json.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// glsl, spirv, godot, wgsl, hlsl, msl, c, rust [default: glsl,spirv,c,rust].
+    #[arg(long, value_delimiter = ',')]
+    pub target: Vec<String>,
+    /// Long runs of samples per invocation, for drivers of CPUs.
+    #[arg(long)]
+    pub cpu: bool,
+    /// Run spirv-opt -O of SPIR-V Tools on the module, and lint it again.
+    #[arg(long)]
+    pub spirv_opt: bool,
+    /// Write what is kept and left out, sizes and times as a page.
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+    /// Time on this device, by index or part of its name; a report is timed on the first.
+    #[arg(long)]
+    pub device: Option<String>,
+    /// Print sizes and times as one JSON document.
     #[arg(long)]
     pub json: bool,
 }
@@ -275,6 +325,10 @@ pub struct DemoArgs {
 
 #[derive(Debug, Args)]
 pub struct BenchArgs {
+    /// Measure the kernels of these scenes instead: each against the stock kernels that draw the
+    /// same.
+    #[arg(long, value_name = "FILE")]
+    pub scene: Vec<PathBuf>,
     /// Device by index or part of its name.
     #[arg(long)]
     pub device: Option<String>,

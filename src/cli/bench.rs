@@ -1,13 +1,20 @@
 //! `corput bench`.
 
 use super::args::BenchArgs;
-use super::{host, print, progress};
+use super::{host, print, progress, strip};
 use comfy_table::{CellAlignment, Table, presets};
+use corput::bench::scene::{compare, document};
 use corput::bench::{self, Goal, Measurement};
+use corput::scene::{self, Needs};
+use corput::vulkan::Device;
 use serde_json::json;
+use std::sync::Arc;
 
 pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
     let device = host::open(args.device.as_deref())?;
+    if !args.scene.is_empty() {
+        return scenes(args, &device);
+    }
     let bar = progress::rows();
     let measurements = bench::run(&device, &mut |name| {
         bar.inc(1);
@@ -75,5 +82,38 @@ pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
         }
     }
     print(&table.to_string());
+    Ok(())
+}
+
+/// Each scene's kernel against the stock ones.
+fn scenes(args: &BenchArgs, device: &Arc<Device>) -> anyhow::Result<()> {
+    let mut all = Vec::new();
+    // What cannot be read is said before anything is timed.
+    for file in &args.scene {
+        let scene = scene::read(file)?;
+        let needs = Needs::of(&scene)?;
+        all.push((scene.name, needs));
+    }
+    let line = host::line(device.info());
+    if !args.json {
+        print(&line);
+    }
+    let mut documents = Vec::new();
+    for (name, needs) in &all {
+        let made = compare(device, name, needs)?;
+        host::validated(device.instance())?;
+        match args.json {
+            true => documents.push(document(&made)),
+            false => print(&format!("\n{}", strip::table(&made))),
+        }
+    }
+    if args.json {
+        let document = json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "device": line,
+            "scenes": documents,
+        });
+        print(&serde_json::to_string_pretty(&document)?);
+    }
     Ok(())
 }

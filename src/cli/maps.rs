@@ -1,6 +1,6 @@
 //! `corput maps`, and the map that `generate` is asked for.
 
-use super::args::{GenerateArgs, MapsArgs};
+use super::args::{GenerateArgs, MapsArgs, Param};
 use super::{environment, print};
 use corput::catalog::{Map, Mapping, Parameter, maps};
 use corput::{Error, Result};
@@ -109,11 +109,19 @@ fn document(map: &'static Map) -> Value {
     })
 }
 
-/// The map of `--map` with the parameters of `--param`.
+/// The map of `--map` with the parameters of `--param`, and the light of `--env`.
 pub fn mapping(args: &GenerateArgs) -> Result<Option<Mapping>> {
-    let Some(name) = &args.map else {
+    let Some(mapping) = named(args.map.as_deref(), &args.param)? else {
         environment::refuse(args)?;
-        return match args.param.first() {
+        return Ok(None);
+    };
+    environment::light(mapping, args).map(Some)
+}
+
+/// The map of a name with parameters.
+pub fn named(name: Option<&str>, params: &[Param]) -> Result<Option<Mapping>> {
+    let Some(name) = name else {
+        return match params.first() {
             None => Ok(None),
             Some(param) => Err(Error::Arguments {
                 asked: format!("--param {}", param.name),
@@ -122,11 +130,9 @@ pub fn mapping(args: &GenerateArgs) -> Result<Option<Mapping>> {
             }),
         };
     };
-    let given: Vec<(&str, &[f64])> = args
-        .param
+    let given: Vec<(&str, &[f64])> = params
         .iter()
         .map(|param| (param.name.as_str(), param.numbers.as_slice()))
         .collect();
-    let mapping = Mapping::new(Map::from_name(name)?, &given)?;
-    environment::light(mapping, args).map(Some)
+    Mapping::new(Map::from_name(name)?, &given).map(Some)
 }

@@ -26,6 +26,7 @@ mod plot;
 mod points;
 mod progress;
 mod scene;
+mod strip;
 mod vectors;
 
 use args::{Cli, Command};
@@ -55,6 +56,7 @@ pub fn main() -> ExitCode {
         Command::Accuracy(args) => accuracy::run(args),
         Command::Plot(args) => plot::run(args),
         Command::Scene(args) => scene::run(args),
+        Command::Strip(args) => strip::run(args),
         Command::Vectors(args) => vectors::run(args),
     };
     match result {

@@ -123,6 +123,12 @@ impl Generator {
         self.limit
     }
 
+    /// What the last dispatch made, before a map that has a kernel of its own.
+    #[must_use]
+    pub fn results(&mut self) -> &Buffer {
+        self.points.results()
+    }
+
     /// Makes up to [`Self::limit`] points, `start` counted from the request's first; the
     /// results stay in the buffer. The time is that of all dispatches they take.
     ///

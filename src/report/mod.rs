@@ -76,6 +76,28 @@ pub fn save_with<B: AsRef<[u8]>>(path: &Path, make: impl FnOnce() -> Result<B>) 
     document.finish(make()?.as_ref())
 }
 
+/// Writes several small files whole: all aside, and then each under its name. On an error
+/// before all are written, none has its name.
+///
+/// # Errors
+///
+/// As [`save`].
+pub fn save_all<'b>(files: impl IntoIterator<Item = (PathBuf, &'b [u8])>) -> Result<()> {
+    let mut written = Vec::new();
+    for (path, bytes) in files {
+        let document = Document::open(&Target::File(path))?;
+        match document.place {
+            Place::Aside(mut aside) => {
+                aside.fill(bytes)?;
+                aside.sync()?;
+                written.push(aside);
+            }
+            place => Document { place, ..document }.finish(bytes)?,
+        }
+    }
+    written.into_iter().try_for_each(place::Aside::commit)
+}
+
 /// A place for a small binary file, opened before the work whose result it takes.
 ///
 /// Dropped without [`Document::finish`], it removes what it made.

@@ -21,6 +21,8 @@
 //! ```
 
 mod bake;
+#[cfg(all(feature = "gpu", feature = "scenes", feature = "strip"))]
+mod bundle;
 mod classify;
 mod condition;
 mod fault;
@@ -41,6 +43,8 @@ mod translate;
 mod words;
 
 pub use bake::bake;
+#[cfg(all(feature = "gpu", feature = "scenes", feature = "strip"))]
+pub use bundle::{Bundle, BundleOptions, File, Optimised, TARGETS, Target, bundle};
 pub use flat::{Constant, Contents, Flat, Part};
 pub use measure::{Measure, measure};
 #[cfg(feature = "strip")]

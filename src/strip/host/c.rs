@@ -65,6 +65,13 @@ pub fn c_header(interface: &Interface) -> Result<String> {
             &default,
         );
     }
+    for number in &interface.numbers {
+        let value = match u32::try_from(number.value) {
+            Ok(value) => format!("{value}u"),
+            Err(_) => format!("{}ull", number.value),
+        };
+        define(&number.name.to_ascii_uppercase(), value, &number.doc);
+    }
     define("PUSH_BYTES", format!("{}u", interface.push_bytes()), "");
     if !interface.push.is_empty() {
         let kind = format!("{}Push", type_name(name));

@@ -8,6 +8,7 @@ mod names;
 mod rust;
 
 pub use c::c_header;
+pub use names::identifier;
 pub use rust::rust_module;
 
 use crate::interface::{Element, Kernel};
@@ -30,6 +31,19 @@ pub struct Interface {
     pub constants: Vec<Specialization>,
     /// Words of the SPIR-V module.
     pub spirv_words: usize,
+    /// Other numbers that a host computes with.
+    pub numbers: Vec<Number>,
+}
+
+/// A number of 64 bits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Number {
+    /// Its name.
+    pub name: String,
+    /// Its value.
+    pub value: u64,
+    /// What it means, in a line without a full stop.
+    pub doc: String,
 }
 
 /// A buffer.
@@ -110,6 +124,7 @@ impl Interface {
                 .map(|(id, name, default)| Specialization { id, name, default })
                 .collect(),
             spirv_words: words.len(),
+            numbers: Vec::new(),
         })
     }
 
@@ -132,6 +147,7 @@ impl Interface {
             self.resources.iter().map(|r| r.name.as_str()).collect(),
             self.push.iter().map(|f| f.name.as_str()).collect(),
             self.constants.iter().map(|c| c.name.as_str()).collect(),
+            self.numbers.iter().map(|n| n.name.as_str()).collect(),
             vec![self.name.as_str()],
         ];
         for list in lists {

@@ -21,6 +21,19 @@ pub(super) fn is_name(text: &str) -> bool {
     first && word && !text.contains("__") && !KEYWORDS.split_whitespace().any(|key| key == text)
 }
 
+/// A name in all three that is like the text: other signs are `_`, and what is a keyword or
+/// begins with no letter has `scene_` before it.
+#[must_use]
+pub fn identifier(text: &str) -> String {
+    let words = text.split(|c: char| !c.is_ascii_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let name = words.join("_");
+    match is_name(&name) {
+        true => name,
+        false => format!("scene_{name}"),
+    }
+}
+
 /// A name as a type has it: `map_ggx` is `MapGgx`.
 pub(super) fn type_name(text: &str) -> String {
     let word = |word: &str| {

@@ -78,6 +78,10 @@ pub fn rust_module(interface: &Interface) -> Result<String> {
             row.id.to_string(),
         );
     }
+    for number in &interface.numbers {
+        let upper = number.name.to_ascii_uppercase();
+        constant(&number.doc, &upper, "u64", number.value.to_string());
+    }
     let bytes = interface.push_bytes();
     constant(
         "Bytes of the push constants",

@@ -9,6 +9,15 @@ use crate::{Error, Result};
 use std::sync::Arc;
 
 impl Program {
+    /// The linter's rules for its module.
+    #[must_use]
+    pub fn rules(&self) -> Profile {
+        match self.profile {
+            Functions::Exact => Profile::Float,
+            Functions::Native => Profile::Native,
+        }
+    }
+
     /// The module: SPIR-V 1.3 of the flattened text, every float result `NoContraction`, and
     /// held to the rules of its profile.
     ///
@@ -16,12 +25,8 @@ impl Program {
     /// [`Error::Shader`] for what the compiler or the linter refuses, which is a defect of this
     /// crate.
     pub fn spirv(&self, text: &str) -> Result<Vec<u32>> {
-        let profile = match self.profile {
-            Functions::Exact => Profile::Float,
-            Functions::Native => Profile::Native,
-        };
         to_spirv(text, &[], &mut |_| None)
-            .and_then(|words| check(&words, profile))
+            .and_then(|words| check(&words, self.rules()))
             .map_err(|problem| Error::Shader {
                 shader: self.name.clone(),
                 problem,

@@ -19,7 +19,7 @@ pub use device::Sampler;
 
 use super::flat::Flat;
 use super::flatten;
-use super::host::{Field, Interface, Resource};
+use super::host::{Field, Interface, Number, Resource, identifier};
 use crate::catalog::{Group, Mapping, Profile};
 use crate::scene::{Choice, Draw, Needs, Record};
 use crate::variant::longest_run;
@@ -284,14 +284,46 @@ impl Program {
                 field("count", 4, "Samples to make."),
             ],
         };
+        let number = |name: String, value: u64, doc: String| Number { name, value, doc };
+        let mut numbers = vec![
+            number(
+                "record_words".into(),
+                self.record.words.into(),
+                "Words of a sample".into(),
+            ),
+            number(
+                "samples_multiple".into(),
+                if self.wide { 4 } else { 1 },
+                "The buffer holds the count of samples rounded up to a multiple of this".into(),
+            ),
+            number(
+                "run".into(),
+                self.run.into(),
+                "Samples of an invocation".into(),
+            ),
+            number(
+                "samples_most".into(),
+                self.samples,
+                "No sample has this index or more".into(),
+            ),
+        ];
+        numbers.extend(self.record.fields.iter().map(|field| {
+            let doc = format!(
+                "First word of {} in a sample: {}",
+                field.key,
+                field.values.join(", ")
+            );
+            number(format!("word_{}", field.name), field.first.into(), doc)
+        }));
         Ok(Interface {
-            name: self.name.clone(),
+            name: identifier(&self.name),
             entry_point: "main".to_owned(),
             workgroup: [GROUP, 1, 1],
             resources,
             push,
             constants: Vec::new(),
             spirv_words: words.len(),
+            numbers,
         })
     }
 }

@@ -104,10 +104,15 @@ fn head(program: &Program) -> String {
         env!("CARGO_PKG_VERSION"),
         env!("CARGO_PKG_LICENSE"),
     );
+    // Languages with their parameters in uniforms know no buffers that are only written.
+    let access = match program.parameters {
+        Parameters::Push => "writeonly ",
+        Parameters::Uniform => "",
+    };
     let element = if program.wide { "uvec4" } else { "uint" };
     let _ = writeln!(
         text,
-        "layout(std430, set = 0, binding = {SAMPLES}) writeonly buffer Samples {{ {element} samples[]; }};"
+        "layout(std430, set = 0, binding = {SAMPLES}) {access}buffer Samples {{ {element} samples[]; }};"
     );
     for (number, table) in program.tables.iter().enumerate() {
         let _ = writeln!(

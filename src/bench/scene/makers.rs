@@ -1,0 +1,201 @@
+//! Ways to make the samples of a scene.
+
+use crate::Result;
+use crate::catalog::{Mapping, Output, Profile, Request};
+use crate::interface::task;
+use crate::kernels::{Generator, Mapper};
+use crate::scene::{Domain, Draw, Needs};
+use crate::strip::program::{Program, Sampler};
+use crate::vulkan::{Access, Buffer, Device, Timing};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Something that makes samples, which stay on the device.
+pub(super) trait Maker {
+    /// Samples that fit.
+    fn limit(&self) -> u64;
+    /// Makes the first ones.
+    fn make(&mut self, count: u32) -> Result<Timing>;
+    /// Host seconds until its first samples were there.
+    fn start_s(&self) -> f64;
+}
+
+/// Bytes of a buffer of results.
+const BYTES: u64 = 1 << 26;
+
+/// The samples that a start makes.
+const FIRST: u32 = 64;
+
+pub(super) struct Stripped {
+    sampler: Sampler,
+    results: Buffer,
+    limit: u64,
+    start_s: f64,
+}
+
+impl Stripped {
+    pub(super) fn new(device: &Arc<Device>, program: &Program, words: &[u32]) -> Result<Self> {
+        let limit = BYTES / (4 * u64::from(program.record.words)) / 64 * 64;
+        let results = Buffer::new(device, program.sample_bytes(limit), Access::Readback)?;
+        let start = Instant::now();
+        let sampler = Sampler::new(device, program, words)?;
+        sampler.dispatch(&results, 0, FIRST)?;
+        Ok(Self {
+            sampler,
+            results,
+            limit,
+            start_s: start.elapsed().as_secs_f64(),
+        })
+    }
+
+    /// Records of samples.
+    pub(super) fn read(&self, first: u32, count: u32) -> Result<Vec<u32>> {
+        self.sampler.run(first, count)
+    }
+}
+
+impl Maker for Stripped {
+    fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    fn make(&mut self, count: u32) -> Result<Timing> {
+        self.sampler.dispatch(&self.results, 0, count)
+    }
+
+    fn start_s(&self) -> f64 {
+        self.start_s
+    }
+}
+
+/// A kernel of points for each domain, and one of its map.
+pub(super) struct Full {
+    parts: Vec<(Generator, Option<(Mapper, Buffer)>)>,
+    start_s: f64,
+}
+
+impl Full {
+    pub(super) fn new(device: &Arc<Device>, needs: &Needs) -> Result<Self> {
+        let start = Instant::now();
+        let mut parts = Vec::new();
+        for domain in &needs.domains {
+            let request = points_of(needs, domain);
+            let generator = Generator::general(device, &request)?;
+            let mapped = match domain.draw.mapping() {
+                Some(mapping) => Some(mapper(device, mapping, request.profile)?),
+                None => None,
+            };
+            parts.push((generator, mapped));
+        }
+        let mut made = Self {
+            parts,
+            start_s: 0.0,
+        };
+        made.make(FIRST)?;
+        made.start_s = start.elapsed().as_secs_f64();
+        Ok(made)
+    }
+}
+
+fn mapper(device: &Arc<Device>, mapping: &Mapping, profile: Profile) -> Result<(Mapper, Buffer)> {
+    let mapper = Mapper::new(device, mapping, true, profile, task::SAMPLE)?;
+    Ok((mapper, Buffer::new(device, BYTES, Access::DeviceOnly)?))
+}
+
+/// The fractions of a domain's points; the floats of one that is a plain number.
+fn points_of(needs: &Needs, domain: &Domain) -> Request {
+    let mut request = needs.request.clone();
+    let columns = request.columns.iter().copied();
+    let range = domain.range();
+    request.columns = columns
+        .skip(range.start as usize)
+        .take(range.len())
+        .collect();
+    request.output = match domain.draw {
+        Draw::Between(_) => Output::Floats,
+        _ => Output::Fractions,
+    };
+    request
+}
+
+impl Maker for Full {
+    fn limit(&self) -> u64 {
+        // A sample of a map has four words at most.
+        let limits = self.parts.iter().map(|(generator, _)| generator.limit());
+        limits.min().unwrap_or(0).min(BYTES / 16)
+    }
+
+    fn make(&mut self, count: u32) -> Result<Timing> {
+        let mut total = Timing {
+            device_ns: Some(0.0),
+            host_ns: 0.0,
+        };
+        let mut add = |one: Timing| {
+            total.host_ns += one.host_ns;
+            total.device_ns = total.device_ns.zip(one.device_ns).map(|(a, b)| a + b);
+        };
+        for (generator, mapped) in &mut self.parts {
+            add(generator.dispatch(0, count.into())?);
+            if let Some((mapper, results)) = mapped {
+                add(mapper.dispatch(generator.results(), results, count.into())?);
+            }
+        }
+        Ok(total)
+    }
+
+    fn start_s(&self) -> f64 {
+        self.start_s
+    }
+}
+
+/// The request of `generate` that makes the same words; `None` where there is none.
+pub(super) fn alone(needs: &Needs) -> Option<Request> {
+    let mut request = needs.request.clone();
+    request.output = Output::Floats;
+    match &needs.domains[..] {
+        [one] => match &one.draw {
+            Draw::Map(mapping) if mapping.map().group.fused() => {
+                request.map = Some(mapping.clone());
+                request.with_pdf = true;
+                Some(request)
+            }
+            Draw::Between([0.0, 1.0]) => Some(request),
+            _ => None,
+        },
+        all => all
+            .iter()
+            .all(|one| matches!(one.draw, Draw::Between([0.0, 1.0])))
+            .then_some(request),
+    }
+}
+
+pub(super) struct Baked {
+    generator: Generator,
+    start_s: f64,
+}
+
+impl Baked {
+    pub(super) fn new(device: &Arc<Device>, request: &Request) -> Result<Self> {
+        let start = Instant::now();
+        let mut generator = Generator::new(device, request)?;
+        generator.dispatch(0, FIRST.into())?;
+        Ok(Self {
+            generator,
+            start_s: start.elapsed().as_secs_f64(),
+        })
+    }
+}
+
+impl Maker for Baked {
+    fn limit(&self) -> u64 {
+        self.generator.limit()
+    }
+
+    fn make(&mut self, count: u32) -> Result<Timing> {
+        self.generator.dispatch(0, count.into())
+    }
+
+    fn start_s(&self) -> f64 {
+        self.start_s
+    }
+}

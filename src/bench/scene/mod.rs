@@ -1,0 +1,279 @@
+//! A scene's own kernel against the stock ones that draw the same: what is left out, and what
+//! that saves. Verified first, then timed.
+
+mod makers;
+mod report;
+
+pub use report::{document, page, rows};
+
+use super::{ROUNDS, median};
+use crate::bulk::SceneReference;
+use crate::catalog::Profile;
+use crate::kernels::spirv;
+use crate::scene::Needs;
+use crate::strip::program::{Options, Parameters, Program, program};
+use crate::strip::{Measure, measure};
+use crate::variant::{Plan, Work, general};
+use crate::vulkan::{Device, DeviceKind, Timing};
+use crate::{Error, Result};
+use makers::{Baked, Full, Maker, Stripped, alone};
+use std::sync::Arc;
+
+/// Modules, and the buffers that they read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Size {
+    /// The modules' names.
+    pub kernels: Vec<String>,
+    /// All of their parts together.
+    pub modules: Measure,
+    /// Buffers and other resources that are bound.
+    pub resources: usize,
+    /// Bytes of the tables in buffers.
+    pub buffer_bytes: u64,
+}
+
+/// Times of one way to make samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Speed {
+    /// Host seconds until the first 64 samples are there: pipelines are made, and drivers that
+    /// compile when they must have done so.
+    pub start_s: f64,
+    /// Median device seconds of all samples.
+    pub median_s: f64,
+    /// Median absolute deviation of that time.
+    pub deviation_s: f64,
+}
+
+/// Times of a scene's samples.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Speeds {
+    /// Samples of each round.
+    pub samples: u32,
+    /// By the stock kernels, all chosen at run time: each domain's points, and then its map.
+    pub full: Speed,
+    /// By the scene's own.
+    pub stripped: Speed,
+    /// By the kernel of tiles whose constants `corput generate` bakes, which makes bare points
+    /// and some maps of points alone.
+    pub baked: Option<Speed>,
+}
+
+/// A scene's kernel, and what it is compared with.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The scene's name.
+    pub name: String,
+    /// The stock kernels.
+    pub full: Size,
+    /// The scene's own.
+    pub stripped: Size,
+    /// Times, where there is a device.
+    pub speeds: Option<Speeds>,
+}
+
+/// Sizes of a scene's kernel and of the stock ones.
+///
+/// # Errors
+/// Those of [`program`].
+pub fn sizes(name: &str, needs: &Needs) -> Result<Comparison> {
+    let program = program(name, needs, Options::default())?;
+    let words = program.spirv(&program.flat(false)?.text)?;
+    Ok(Comparison {
+        name: name.to_owned(),
+        full: full_size(needs)?,
+        stripped: stripped_size(&program, &words)?,
+        speeds: None,
+    })
+}
+
+/// The same with times on a device. Samples at both ends of the indices are compared with the
+/// reference's first: word for word in the exact profile, within what Vulkan allows in the
+/// native one.
+///
+/// # Errors
+/// [`Error::CheckFailed`] for samples that are others; those of the device.
+pub fn compare(device: &Arc<Device>, name: &str, needs: &Needs) -> Result<Comparison> {
+    let cpu = device.info().kind == DeviceKind::Cpu;
+    let options = Options {
+        parameters: Parameters::Push,
+        cpu,
+    };
+    let program = program(name, needs, options)?;
+    let words = program.spirv(&program.flat(false)?.text)?;
+    let mut stripped = Stripped::new(device, &program, &words)?;
+    verify(&stripped, needs)?;
+    let mut full = Full::new(device, needs)?;
+    let mut baked = match alone(needs) {
+        Some(request) => Some(Baked::new(device, &request)?),
+        None => None,
+    };
+    Ok(Comparison {
+        speeds: Some(speeds(needs, &mut full, &mut stripped, baked.as_mut())?),
+        ..sizes(name, needs)?
+    })
+}
+
+fn module(size: &mut Size, name: &str, words: &[u32]) -> Result<()> {
+    let one = measure(words).map_err(|error| Error::Shader {
+        shader: name.to_owned(),
+        problem: error.to_string(),
+    })?;
+    let all = &mut size.modules;
+    all.bytes += one.bytes;
+    all.instructions += one.instructions;
+    all.functions += one.functions;
+    all.constants += one.constants;
+    all.specialization += one.specialization;
+    all.table_bytes += one.table_bytes;
+    size.resources += one.resources.len();
+    size.kernels.push(name.to_owned());
+    Ok(())
+}
+
+fn stripped_size(program: &Program, words: &[u32]) -> Result<Size> {
+    let mut size = Size::default();
+    module(&mut size, &program.name, words)?;
+    let tables = program.tables.iter();
+    size.buffer_bytes = tables.map(|table| 4 * table.words.len() as u64).sum();
+    Ok(size)
+}
+
+/// The general kernel of the points, and the kernel of every group of maps.
+fn full_size(needs: &Needs) -> Result<Size> {
+    let mut size = Size::default();
+    let plan = general_plan(needs);
+    module(&mut size, plan.kernel.name, &spirv(plan.kernel.name)?)?;
+    size.buffer_bytes = plan.table.map_or(0, |table| 4 * table.len() as u64);
+    for mapping in needs.domains.iter().filter_map(|one| one.draw.mapping()) {
+        let name = mapping.map().group.kernel(needs.request.profile);
+        if !size.kernels.iter().any(|known| known == name) {
+            module(&mut size, name, &spirv(name)?)?;
+        }
+        let tables = mapping.tables().iter();
+        size.buffer_bytes += tables.map(|words| 4 * words.len() as u64).sum::<u64>();
+    }
+    Ok(size)
+}
+
+fn general_plan(needs: &Needs) -> Plan {
+    general(&Work {
+        columns: &needs.request.columns,
+        points: needs.request.count,
+        fractions: true,
+        map: None,
+        native: false,
+        cpu: false,
+    })
+}
+
+/// Rounds last about so long each.
+const ROUND_S: f64 = 0.05;
+
+/// Samples of the first trial.
+const TRIAL: u32 = 1 << 12;
+
+fn seconds(timing: Timing) -> f64 {
+    1e-9 * timing.device_ns.unwrap_or(timing.host_ns)
+}
+
+fn speeds(
+    needs: &Needs,
+    full: &mut Full,
+    stripped: &mut Stripped,
+    baked: Option<&mut Baked>,
+) -> Result<Speeds> {
+    let mut makers: Vec<&mut dyn Maker> = vec![full, stripped];
+    makers.extend(baked.map(|one| one as &mut dyn Maker));
+    let limits = makers.iter().map(|maker| maker.limit());
+    let most = limits
+        .min()
+        .unwrap_or(0)
+        .min(needs.request.count)
+        .min(1 << 24);
+    let trial = TRIAL.min(most as u32);
+    let mut slowest = 0.0f64;
+    for maker in &mut makers {
+        maker.make(trial)?;
+        slowest = slowest.max(seconds(maker.make(trial)?));
+    }
+    let wanted = (f64::from(trial) * ROUND_S / slowest.max(1e-9)) as u64;
+    let samples = wanted.clamp(u64::from(trial), most) as u32;
+    let mut times = vec![Vec::new(); makers.len()];
+    for maker in &mut makers {
+        maker.make(samples)?;
+    }
+    for _ in 0..ROUNDS {
+        for (maker, times) in makers.iter_mut().zip(&mut times) {
+            times.push(seconds(maker.make(samples)?));
+        }
+    }
+    let mut all = makers.iter().zip(&mut times).map(|(maker, times)| {
+        let median_s = median(times);
+        let mut away: Vec<f64> = times.iter().map(|time| (time - median_s).abs()).collect();
+        Speed {
+            start_s: maker.start_s(),
+            median_s,
+            deviation_s: median(&mut away),
+        }
+    });
+    let (Some(full), Some(stripped)) = (all.next(), all.next()) else {
+        return Err(Error::CheckFailed {
+            failures: 1,
+            total: 1,
+        });
+    };
+    Ok(Speeds {
+        samples,
+        full,
+        stripped,
+        baked: all.next(),
+    })
+}
+
+/// Samples at the beginning and at the end of the indices: in the exact profile word for word,
+/// in the native one numbers and choices so, and coordinates within the bound of their map.
+fn verify(stripped: &Stripped, needs: &Needs) -> Result<()> {
+    let profile = needs.request.profile;
+    let mut exact = needs.clone();
+    exact.request.profile = Profile::Exact;
+    let reference = SceneReference::new(&exact)?;
+    let count = needs.request.count.min(1 << 10);
+    for first in [0, needs.request.count - count] {
+        let got = stripped.read(first as u32, count as u32)?;
+        let mut want = vec![0; got.len()];
+        reference.fill(first as u32, &mut want);
+        let bounds = bounds(needs, &reference);
+        let words = got.iter().zip(&want).zip(bounds.iter().cycle());
+        let failures = words
+            .filter(|((got, want), bound)| match (profile, bound) {
+                (Profile::Exact, _) | (_, None) => got != want,
+                (Profile::Native, Some(bound)) => {
+                    let [got, want] = [got, want].map(|word| f64::from(f32::from_bits(**word)));
+                    // NaN is within no bound.
+                    !((got - want).abs() <= bound * want.abs().max(1.0))
+                }
+            })
+            .count();
+        if failures > 0 {
+            return Err(Error::CheckFailed {
+                failures,
+                total: got.len(),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// For each word of a record how far it may be off in the native profile; none may that no map
+/// makes. Densities, which `check` judges at the samples that they are of, may be anything.
+fn bounds(needs: &Needs, reference: &SceneReference) -> Vec<Option<f64>> {
+    let fields = needs.domains.iter().zip(&reference.record().fields);
+    let bound = |(domain, field): (&crate::scene::Domain, &crate::scene::Field)| {
+        let native = domain.draw.mapping().map(|mapping| mapping.map().native);
+        let values = field.values.iter();
+        let of =
+            values.map(|value| native.map(|n| if *value == "pdf" { f64::INFINITY } else { n }));
+        of.collect::<Vec<_>>()
+    };
+    fields.flat_map(bound).collect()
+}
