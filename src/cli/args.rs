@@ -110,7 +110,7 @@ pub struct StripArgs {
     /// Long runs of samples per invocation, for drivers of CPUs.
     #[arg(long)]
     pub cpu: bool,
-    /// Run spirv-opt -O of SPIR-V Tools on the module, and lint it again.
+    /// Run spirv-opt of SPIR-V Tools on the module, and lint it again.
     #[arg(long)]
     pub spirv_opt: bool,
     /// Write what is kept and left out, sizes and times as a page.

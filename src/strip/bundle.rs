@@ -29,7 +29,8 @@ pub struct File {
 pub struct BundleOptions {
     /// For CPU drivers: see [`Options::cpu`].
     pub cpu: bool,
-    /// Runs `spirv-opt -O` of SPIR-V Tools on the module, which is linted again.
+    /// Runs `spirv-opt` of SPIR-V Tools on the module, which is linted again; without inlining
+    /// in the exact profile, whose rules go by functions.
     pub spirv_opt: bool,
 }
 

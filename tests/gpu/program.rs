@@ -7,11 +7,15 @@ mod support;
 
 use corpus::{Case, every_map, files, samplers};
 use corput::bulk::SceneReference;
-use corput::catalog::Profile;
+use corput::catalog::{Engine, Output, Profile, Request};
+use corput::interface::task;
+use corput::kernels::{Generator, Mapper};
+use corput::scene::{Choice, Domain, Draw, Record, Span};
 use corput::strip::program::{Options, Parameters, Program, Sampler, program};
 use corput::vulkan::Device;
 use std::sync::Arc;
-use support::{at_once, on_each_device, skips};
+use std::time::Instant;
+use support::{at_once, on_each_device, on_one_device, skips};
 
 /// Samples at either end of the indices; no whole number of runs.
 const COUNT: u32 = 777;
@@ -30,6 +34,7 @@ fn made(case: &Case, options: Options) -> (Program, Vec<u32>) {
 
 /// The first sample that differs: its index, word, and both values.
 fn difference(device: &Arc<Device>, case: &Case, options: Options) -> Option<String> {
+    let begin = Instant::now();
     let (program, words) = made(case, options);
     let sampler = Sampler::new(device, &program, &words).unwrap();
     let reference = SceneReference::new(&case.needs).unwrap();
@@ -50,7 +55,101 @@ fn difference(device: &Arc<Device>, case: &Case, options: Options) -> Option<Str
             ));
         }
     }
+    println!("{}: {:.2} s", case.name, begin.elapsed().as_secs_f64());
     None
+}
+
+/// The points of a domain, as a request of the stock kernels: floats for numbers in [0, 1),
+/// fractions for all that is drawn by them.
+fn points(case: &Case, domain: &Domain, first: u32, count: u32) -> Request {
+    let mut request = case.needs.request.clone();
+    let range = domain.range();
+    request.columns = request.columns[range.start as usize..range.end as usize].to_vec();
+    request.first += u64::from(first);
+    request.count = u64::from(count);
+    request.output = match domain.draw {
+        Draw::Between([0.0, 1.0]) => Output::Floats,
+        _ => Output::Fractions,
+    };
+    request
+}
+
+/// The records that stock kernels make: each domain's points by that one, and its map's kernel.
+/// Numbers and choices, which have none, are the twins' of these points.
+fn stock(
+    device: &Arc<Device>,
+    case: &Case,
+    [first, count]: [u32; 2],
+    generator: impl Fn(&Request) -> Generator,
+) -> Vec<u32> {
+    let record = Record::of(&case.needs);
+    let stride = record.words as usize;
+    let mut words = vec![0; stride * count as usize];
+    for (domain, field) in case.needs.domains.iter().zip(&record.fields) {
+        let request = points(case, domain, first, count);
+        let mut rows = Vec::new();
+        let mut take = |words: &[u32]| {
+            rows.extend_from_slice(words);
+            Ok(())
+        };
+        generator(&request)
+            .make(0, count.into(), &mut take)
+            .unwrap();
+        let made: Vec<u32> = match &domain.draw {
+            Draw::Between(ends) => match Span::new(*ends).unwrap() {
+                Some(span) => rows.iter().map(|u| span.at(*u).to_bits()).collect(),
+                None => rows,
+            },
+            Draw::Choice(weights) => {
+                let choice = Choice::new(weights).unwrap();
+                let words =
+                    |share: corput::scene::Share| [share.index, share.probability.to_bits()];
+                rows.iter().flat_map(|u| words(choice.draw(*u))).collect()
+            }
+            Draw::Map(mapping) => {
+                let profile = request.profile;
+                let mapper = Mapper::new(device, mapping, true, profile, task::SAMPLE).unwrap();
+                mapper.run(&rows).unwrap().0
+            }
+        };
+        let values = made.chunks_exact(field.values.len());
+        for (record, values) in words.chunks_exact_mut(stride).zip(values) {
+            record[field.range()].copy_from_slice(values);
+        }
+    }
+    words
+}
+
+/// That a scene's own kernel makes the bytes of the stock kernels, of those that choose all at
+/// run time and of those whose constants an engine sets, which strips them.
+fn equals_stock(device: &Arc<Device>, case: &Case) {
+    let (program, words) = made(case, LONG);
+    let sampler = Sampler::new(device, &program, &words).unwrap();
+    let samples = case.needs.request.count;
+    // So many that bare points take a kernel of baked tiles.
+    let count = (1 << 16).min(samples) as u32;
+    let count = if case
+        .needs
+        .domains
+        .iter()
+        .any(|one| one.draw.mapping().is_some())
+    {
+        COUNT.min(count)
+    } else {
+        count
+    };
+    let first = (samples - u64::from(count)) as u32 / 2;
+    let got = sampler.run(first, count).unwrap();
+    let general = |request: &Request| Generator::general(device, request).unwrap();
+    let want = stock(device, case, [first, count], general);
+    assert!(
+        got == want,
+        "{}: other bytes than the general kernels",
+        case.name
+    );
+    let constant = |request: &Request| Generator::new(device, request).unwrap();
+    let want = stock(device, case, [first, count], constant);
+    assert!(got == want, "{}: other bytes than by constants", case.name);
 }
 
 fn all_equal(cases: &[Case], options: &[Options]) {
@@ -102,4 +201,56 @@ fn the_scenes_are_those_of_the_reference() {
         .collect();
     assert!(exact.len() >= 8);
     all_equal(&exact, &[LONG]);
+}
+
+#[test]
+fn scenes_and_samplers_are_those_of_the_stock_kernels() {
+    if skips() {
+        return;
+    }
+    let exact = |case: &Case| case.needs.request.profile == Profile::Exact;
+    let few = |case: &Case| case.needs.dimensions() == 2;
+    let mut cases: Vec<Case> = files().into_iter().filter(exact).collect();
+    cases.extend(samplers().into_iter().filter(few));
+    assert!(cases.len() >= 30, "{}", cases.len());
+    on_each_device(|device| {
+        device.keep_pipelines();
+        at_once(&cases, |case| equals_stock(device, case));
+    });
+}
+
+/// A defect anywhere is found: another direction number, digit, weight, parameter or store.
+#[test]
+fn broken_kernels_are_found() {
+    on_one_device(|device| {
+        let cases = files();
+        let case = |name: &str| cases.iter().find(|case| case.name == name).unwrap();
+        for (scene, from, to) in [
+            ("diffuse_quad", "0x80000000u", "0x80000001u"),
+            ("diffuse_quad", "c.n += 1u", "c.n += 2u"),
+            ("diffuse_quad", "push.first + begin", "push.first"),
+            ("many_lights", "return uvec2(2u,", "return uvec2(3u,"),
+            (
+                "motion_blur",
+                "CorputReal part = corput_real_multiply(width,",
+                "CorputReal part = corput_real_multiply(high,",
+            ),
+        ] {
+            let case = case(scene);
+            let (program, _) = made(case, LONG);
+            let text = program.flat(false).unwrap().text;
+            let (head, main) = text.split_at(text.rfind("// The shader itself.").unwrap());
+            let at = main
+                .find(from)
+                .unwrap_or_else(|| panic!("{scene} has no {from}"));
+            let main = format!("{}{to}{}", &main[..at], &main[at + from.len()..]);
+            let words = program.spirv(&format!("{head}{main}")).unwrap();
+            let sampler = Sampler::new(device, &program, &words).unwrap();
+            let reference = SceneReference::new(&case.needs).unwrap();
+            let got = sampler.run(0, COUNT).unwrap();
+            let mut want = vec![0; got.len()];
+            reference.fill(0, &mut want);
+            assert_ne!(got, want, "{scene}: {from} -> {to} is not found");
+        }
+    });
 }

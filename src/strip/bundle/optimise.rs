@@ -9,7 +9,25 @@ use std::process::{Command, Stdio};
 /// The program, found on PATH.
 const PROGRAM: &str = "spirv-opt";
 
-/// A module after `spirv-opt -O`, decorated and linted again, and the line that names the
+/// Its passes for exact modules. None inlines: what a function is named for is what the linter
+/// allows it, and inlined into `main` a seed of a square root is just a square root.
+const PASSES: &[&str] = &[
+    "--eliminate-dead-branches",
+    "--eliminate-local-single-block",
+    "--eliminate-local-single-store",
+    "--scalar-replacement=0",
+    "--ssa-rewrite",
+    "--ccp",
+    "--simplify-instructions",
+    "--local-redundancy-elimination",
+    "--eliminate-dead-branches",
+    "--eliminate-dead-code-aggressive",
+    "--eliminate-dead-functions",
+    "--eliminate-dead-const",
+    "--merge-blocks",
+];
+
+/// A module after `spirv-opt`, of the native profile by its `-O`, decorated and linted again, and the line that names the
 /// program's version.
 pub(super) fn optimise(name: &str, words: &[u32], profile: Profile) -> Result<(Vec<u32>, String)> {
     let failed = |limit: String| Error::Arguments {
@@ -17,15 +35,23 @@ pub(super) fn optimise(name: &str, words: &[u32], profile: Profile) -> Result<(V
         limit,
         remedy: "install SPIR-V Tools (Debian: spirv-tools), or do without --spirv-opt".to_owned(),
     };
+    let passes = match profile {
+        Profile::Native => &["-O"],
+        _ => PASSES,
+    };
     let not_there = |error: std::io::Error| failed(format!("{PROGRAM}: {error}"));
     let version = Command::new(PROGRAM)
         .arg("--version")
         .output()
         .map_err(not_there)?;
-    let version = String::from_utf8_lossy(&version.stdout);
-    let version = version.lines().next().unwrap_or("").trim().to_owned();
+    // Some versions say it on one, some on the other.
+    let said = [version.stdout, version.stderr].concat();
+    let said = String::from_utf8_lossy(&said);
+    let version = said.lines().next().unwrap_or("").trim().to_owned();
     let mut child = Command::new(PROGRAM)
-        .args(["--target-env=vulkan1.1", "-O", "-", "-o", "-"])
+        .arg("--target-env=vulkan1.1")
+        .args(passes)
+        .args(["-", "-o", "-"])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

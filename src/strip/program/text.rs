@@ -241,15 +241,30 @@ fn main(program: &Program) -> String {
             "    uint at = i * {};\n    [[dont_unroll]] for (uint k = 0u; k < count; k += 4u) {{\n",
             word(program.run / 4 * stride)
         );
-        let four = ["a", "b", "d", "e"];
-        for name in four {
-            let _ = writeln!(
-                text,
-                "        Sample {name} = sample_at(c);\n        c = cursor_next(c);"
-            );
+        // A loop, and no four copies: of what follows a branch some drivers make two. Arrays of
+        // four are what others unroll such a loop for.
+        let parts = stride.div_ceil(4);
+        let arrays: Vec<String> = (0..parts).map(|part| format!("w{part}[4]")).collect();
+        let _ = write!(
+            text,
+            "        uvec4 {};\n        for (uint j = 0u; j < 4u; j++) {{\n\
+             \x20           Sample s = sample_at(c);\n            c = cursor_next(c);\n",
+            arrays.join(", ")
+        );
+        let mut all: Vec<String> = words(program, "s").collect();
+        all.resize(4 * parts as usize, "0u".to_owned());
+        for (part, four) in all.chunks(4).enumerate() {
+            let _ = writeln!(text, "            w{part}[j] = uvec4({});", four.join(", "));
         }
-        let all: Vec<String> = four.iter().flat_map(|name| words(program, name)).collect();
-        for (row, four) in all.chunks(4).enumerate() {
+        text += "        }\n";
+        let axes = ["x", "y", "z", "w"];
+        let word = |at: u32| {
+            let (record, at) = (at / stride, at % stride);
+            let axis = axes.get(at as usize % 4).copied().unwrap_or("x");
+            format!("w{}[{record}].{axis}", at / 4)
+        };
+        for row in 0..stride {
+            let four: Vec<String> = (4 * row..4 * row + 4).map(word).collect();
             let _ = writeln!(
                 text,
                 "        samples[at + {row}u] = uvec4({});",

@@ -1,8 +1,8 @@
 //! Scenes to prove the kernels of scenes with: files, every sampler, every map.
 
-use corput::catalog::{
-    Map, Mapping, Options, Profile, Request, SEQUENCES, Sampler, Scramble, Sequence, maps,
-};
+#![allow(dead_code, reason = "each test uses a part of it")]
+
+use corput::catalog::{Map, Mapping, Profile, SEQUENCES, Sampler, Scramble, maps};
 use corput::scene::{Needs, Scene, Stated, read};
 use std::fs;
 use std::path::Path;
@@ -96,13 +96,4 @@ pub fn every_map(profile: Profile) -> Vec<Case> {
         }
     }
     cases
-}
-
-/// A request for the points that a domain draws from.
-pub fn points_of(needs: &Needs, first: u32, dimensions: u32) -> Request {
-    let mut request = Request::new(&Options::new(Sequence::Sobol, 1)).unwrap();
-    request.clone_from(&needs.request);
-    let range = first as usize..(first + dimensions) as usize;
-    request.columns = needs.request.columns[range].to_vec();
-    request
 }
