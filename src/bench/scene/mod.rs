@@ -9,6 +9,7 @@ pub use report::{document, page, rows};
 use super::{ROUNDS, median};
 use crate::bulk::SceneReference;
 use crate::catalog::Profile;
+use crate::interface::FAMILIES;
 use crate::kernels::spirv;
 use crate::scene::Needs;
 use crate::strip::program::{Options, Parameters, Program, program};
@@ -65,6 +66,9 @@ pub struct Comparison {
     pub name: String,
     /// The stock kernels.
     pub full: Size,
+    /// Bytes of the stock modules where the sampler too is chosen at run time: the general
+    /// kernels of all families, and the same maps.
+    pub any_bytes: usize,
     /// The scene's own.
     pub stripped: Size,
     /// Times, where there is a device.
@@ -78,9 +82,16 @@ pub struct Comparison {
 pub fn sizes(name: &str, needs: &Needs) -> Result<Comparison> {
     let program = program(name, needs, Options::default())?;
     let words = program.spirv(&program.flat(false)?.text)?;
+    let full = full_size(needs)?;
+    let own = spirv(general_plan(needs).kernel.name)?;
+    let mut any_bytes = full.modules.bytes - 4 * own.len();
+    for family in FAMILIES {
+        any_bytes += 4 * spirv(&format!("generate{}", family.suffix()))?.len();
+    }
     Ok(Comparison {
         name: name.to_owned(),
-        full: full_size(needs)?,
+        full,
+        any_bytes,
         stripped: stripped_size(&program, &words)?,
         speeds: None,
     })

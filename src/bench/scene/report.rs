@@ -2,7 +2,7 @@
 
 use super::{Comparison, Size, Speed};
 use crate::report::{escape, page as frame};
-use crate::scene::{Needs, Scene};
+use crate::scene::{Draw, Needs, Scene};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -30,6 +30,11 @@ pub fn rows(one: &Comparison) -> Vec<Row> {
     let mut rows = vec![
         of("modules", &|size| size.kernels.len() as u64),
         of("SPIR-V bytes", &|size| size.modules.bytes as u64),
+        counted(
+            "SPIR-V bytes, were the sampler any",
+            one.any_bytes as u64,
+            stripped.modules.bytes as u64,
+        ),
         of("instructions", &|size| size.modules.instructions as u64),
         of("functions", &|size| size.modules.functions as u64),
         of("constants", &|size| size.modules.constants as u64),
@@ -97,6 +102,7 @@ pub fn document(one: &Comparison) -> Value {
     json!({
         "scene": one.name,
         "full": size(&one.full),
+        "full_bytes_of_any_sampler": one.any_bytes,
         "stripped": size(&one.stripped),
         "speeds": one.speeds.as_ref().map(|speeds| json!({
             "samples": speeds.samples,
@@ -140,10 +146,10 @@ pub fn page(scene: &Scene, needs: &Needs, one: &Comparison, device: Option<&str>
         .iter()
         .map(|domain| {
             let range = domain.range();
-            let drawn = match domain.draw.mapping() {
-                Some(mapping) => mapping.map().name.to_owned(),
-                None if domain.draw.dimensions() == 1 => "a number or a choice".to_owned(),
-                None => String::new(),
+            let drawn = match &domain.draw {
+                Draw::Between([low, high]) => format!("a number from {low} to {high}"),
+                Draw::Choice(weights) => format!("a choice among {}", weights.len()),
+                Draw::Map(mapping) => mapping.map().name.to_owned(),
             };
             let dimensions = match range.len() {
                 1 => range.start.to_string(),

@@ -3,7 +3,7 @@
 use super::literal::{indented, real, word};
 use super::{GROUP, Parameters, Program, SAMPLES, choice, columns, maps};
 use crate::Result;
-use crate::scene::{Choice, Draw, Field, Needs, Span};
+use crate::scene::{Choice, Domain, Draw, Field, Needs, Span};
 use std::fmt::Write;
 
 /// The name of the buffer of an environment.
@@ -67,9 +67,10 @@ pub(super) fn source(program: &Program, needs: &Needs) -> Result<String> {
     text += &cursor(&columns);
     text.push('\n');
     text += &functions;
-    text += &sample(program, needs);
-    text.push('\n');
-    text += &main(program);
+    if program.wide {
+        text += &sample(program, needs);
+    }
+    text += &main(program, needs);
     Ok(text)
 }
 
@@ -184,45 +185,52 @@ fn between(name: &str, span: Option<Span>, unit: &str) -> String {
     format!("uint {name}(uint u) {{\n{}}}\n", indented(&body, 4))
 }
 
-/// All domains of a sample.
+/// The call that draws a domain from fractions `u0` and on.
+fn call(domain: &Domain, field: &Field) -> String {
+    let taken: Vec<String> = domain.range().map(|number| format!("u{number}")).collect();
+    let taken = match &taken[..] {
+        [one] => one.clone(),
+        all => format!("{}({})", vector(all.len() as u32), all.join(", ")),
+    };
+    format!("draw_{}({taken})", field.name)
+}
+
+/// The statements that make them.
+fn fractions(needs: &Needs) -> String {
+    let one = |number| format!("uint u{number} = fraction{number}(c);\n");
+    (0..needs.dimensions()).map(one).collect()
+}
+
+/// All domains of a sample, of kernels that store four at a time.
 fn sample(program: &Program, needs: &Needs) -> String {
     let mut text = "struct Sample {\n".to_owned();
     for field in &program.record.fields {
         let kind = vector(field.values.len() as u32);
         let _ = writeln!(text, "    {kind} {};", field.name);
     }
-    text += "};\n\nSample sample_at(Cursor c) {\n";
-    for number in 0..needs.dimensions() {
-        let _ = writeln!(text, "    uint u{number} = fraction{number}(c);");
-    }
-    text += "    return Sample(";
-    for (at, (domain, field)) in needs.domains.iter().zip(&program.record.fields).enumerate() {
-        let taken: Vec<String> = domain.range().map(|number| format!("u{number}")).collect();
-        let taken = match &taken[..] {
-            [one] => one.clone(),
-            all => format!("{}({})", vector(all.len() as u32), all.join(", ")),
-        };
-        let comma = if at == 0 { "" } else { "," };
-        let _ = write!(text, "{comma}\n        draw_{}({taken})", field.name);
-    }
-    text += ");\n}\n";
+    let fractions = indented(&fractions(needs), 4);
+    let calls = needs.domains.iter().zip(&program.record.fields);
+    let calls: Vec<String> = calls.map(|(domain, field)| call(domain, field)).collect();
+    let _ = write!(
+        text,
+        "}};\n\nSample sample_at(Cursor c) {{\n{fractions}    return Sample(\n        {});\n}}\n\n",
+        calls.join(",\n        ")
+    );
     text
 }
 
-/// The words of a sample in a variable, in order.
-fn words<'p>(program: &'p Program, of: &'p str) -> impl Iterator<Item = String> + 'p {
-    let one = move |field: &'p Field| {
-        let count = field.values.len();
-        let axes = ["x", "y", "z", "w"].into_iter().take(count);
-        axes.map(move |axis| match count {
-            1 => format!("{of}.{}", field.name),
-            _ => format!("{of}.{}.{axis}", field.name),
-        })
-    };
-    program.record.fields.iter().flat_map(one)
+/// The words of a field in a variable, in order.
+fn words(field: &Field, variable: &str) -> Vec<String> {
+    match field.values.len() {
+        1 => vec![variable.to_owned()],
+        count => {
+            let axes = ["x", "y", "z", "w"].into_iter().take(count);
+            axes.map(|axis| format!("{variable}.{axis}")).collect()
+        }
+    }
 }
 
-fn main(program: &Program) -> String {
+fn main(program: &Program, needs: &Needs) -> String {
     let run = word(program.run);
     let stride = program.record.words;
     let mut text = format!(
@@ -251,7 +259,10 @@ fn main(program: &Program) -> String {
              \x20           Sample s = sample_at(c);\n            c = cursor_next(c);\n",
             arrays.join(", ")
         );
-        let mut all: Vec<String> = words(program, "s").collect();
+        let fields = program.record.fields.iter();
+        let mut all: Vec<String> = fields
+            .flat_map(|field| words(field, &format!("s.{}", field.name)))
+            .collect();
         all.resize(4 * parts as usize, "0u".to_owned());
         for (part, four) in all.chunks(4).enumerate() {
             let _ = writeln!(text, "            w{part}[j] = uvec4({});", four.join(", "));
@@ -276,11 +287,16 @@ fn main(program: &Program) -> String {
     }
     let _ = write!(
         text,
-        "    uint at = begin * {stride}u;\n    [[dont_unroll]] for (uint k = 0u; k < count; k++) {{\n\
-         \x20       Sample s = sample_at(c);\n"
+        "    uint at = begin * {stride}u;\n    [[dont_unroll]] for (uint k = 0u; k < count; k++) {{\n{}",
+        indented(&fractions(needs), 8)
     );
-    for (at, word) in words(program, "s").enumerate() {
-        let _ = writeln!(text, "        samples[at + {at}u] = {word};");
+    // Each is stored at once: some compilers take very long where many values live long.
+    for (domain, field) in needs.domains.iter().zip(&program.record.fields) {
+        let (name, kind) = (&field.name, vector(field.values.len() as u32));
+        let _ = writeln!(text, "        {kind} {name} = {};", call(domain, field));
+        for (at, word) in (field.first..).zip(words(field, name)) {
+            let _ = writeln!(text, "        samples[at + {at}u] = {word};");
+        }
     }
     let _ = write!(
         text,
