@@ -260,8 +260,8 @@ fn verify(stripped: &Stripped, needs: &Needs) -> Result<()> {
                 (Profile::Exact, _) | (_, None) => got != want,
                 (Profile::Native, Some(bound)) => {
                     let [got, want] = [got, want].map(|word| f64::from(f32::from_bits(**word)));
-                    // NaN is within no bound.
-                    !((got - want).abs() <= bound * want.abs().max(1.0))
+                    let off = (got - want).abs();
+                    off.is_nan() || off > bound * want.abs().max(1.0)
                 }
             })
             .count();

@@ -122,9 +122,9 @@ pub fn page(scene: &Scene, needs: &Needs, one: &Comparison, device: Option<&str>
     let name = escape(&scene.name);
     let mut main = format!("<h1>{name}: what its kernel leaves out</h1>\n");
     // Writing to a String cannot fail.
-    let _ = write!(
+    let _ = writeln!(
         main,
-        "<p>{} samples of {}, {} dimensions, profile {}. corput {}; {}.</p>\n",
+        "<p>{} samples of {}, {} dimensions, profile {}. corput {}; {}.</p>",
         scene.samples.value,
         escape(&scene.sampler.value.name()),
         needs.dimensions(),
