@@ -2,7 +2,7 @@
 
 use super::document::{About, figure, floor, millions};
 use super::{Accuracy, Comparison};
-use crate::plot::escape;
+use crate::report::escape;
 use std::fmt::Write;
 
 const HEAD: &str = r##"<!DOCTYPE html>
