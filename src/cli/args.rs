@@ -61,7 +61,7 @@ pub enum Command {
     Plot(PlotArgs),
     /// Say what a scene draws, and why, and what is left out: of a scene file or of glTF.
     Scene(SceneArgs),
-    /// Write the smallest kernel that draws a scene's samples, in several languages.
+    /// Write a kernel that draws one scene's samples and nothing else, in several languages.
     Strip(Box<StripArgs>),
     /// Write arguments and results of everything exact, for ports to test themselves with.
     Vectors(VectorsArgs),

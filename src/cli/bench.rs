@@ -3,7 +3,7 @@
 use super::args::BenchArgs;
 use super::{host, print, progress, strip};
 use comfy_table::{CellAlignment, Table, presets};
-use corput::bench::scene::{compare, document};
+use corput::bench::scene::{compare, document, suited};
 use corput::bench::{self, Goal, Measurement};
 use corput::scene::{self, Needs};
 use corput::vulkan::Device;
@@ -100,7 +100,8 @@ fn scenes(args: &BenchArgs, device: &Arc<Device>) -> anyhow::Result<()> {
     }
     let mut documents = Vec::new();
     for (name, needs) in &all {
-        let made = compare(device, name, needs)?;
+        let (program, words) = suited(device, name, needs)?;
+        let made = compare(device, needs, &program, &words)?;
         host::validated(device.instance())?;
         match args.json {
             true => documents.push(document(&made)),

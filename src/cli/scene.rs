@@ -35,6 +35,12 @@ fn text(scene: &Scene, needs: &Needs) -> String {
         scene.profile.name()
     )];
     lines.extend(scene.found.iter().map(|line| format!("  {line}")));
+    lines.push(format!("\n{}", kept(needs)));
+    lines.join("\n")
+}
+
+/// What is drawn and what is left out, each with what decided it.
+pub fn kept(needs: &Needs) -> String {
     let mut table = plain(["domain", "drawn by", "dimensions", "why"]);
     for domain in &needs.domains {
         table.add_row([
@@ -44,11 +50,10 @@ fn text(scene: &Scene, needs: &Needs) -> String {
             domain.cause.to_string(),
         ]);
     }
-    lines.push(format!(
-        "\nDrawn, alternatives by the same dimensions:\n{table}"
-    ));
-    lines.push(format!("\nLeft out:\n{}", left_out(needs)));
-    lines.join("\n")
+    format!(
+        "Drawn, alternatives by the same dimensions:\n{table}\n\nLeft out:\n{}",
+        left_out(needs)
+    )
 }
 
 fn counted(count: u64, what: &str) -> String {

@@ -5,10 +5,11 @@ use super::{host, maps, print};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use corput::bench::scene::{Comparison, compare, document, page, rows, sizes};
 use corput::catalog::{Group, Profile, Sampler};
-use corput::report::{create_folder, save, save_all};
+use corput::report::{create_folder, save_all};
 use corput::scene::{self, Needs, Scene, Stated};
 use corput::strip::{Bundle, BundleOptions, Target, bundle};
 use corput::{Error, Result};
+use std::path::PathBuf;
 
 pub fn run(args: &StripArgs) -> anyhow::Result<()> {
     let (scene, needs) = asked(args)?;
@@ -21,27 +22,38 @@ pub fn run(args: &StripArgs) -> anyhow::Result<()> {
         spirv_opt: args.spirv_opt,
     };
     let made = bundle(&scene, &needs, &targets, options)?;
+    let (comparison, device) = compared(args, &needs, &made)?;
+    // All is made before anything is written.
+    let page = args
+        .report
+        .as_ref()
+        .map(|path| (path, page(&scene, &needs, &comparison, device.as_deref())));
+    let mut files: Vec<(PathBuf, &[u8])> = Vec::new();
     if let Some(out) = &args.out {
         create_folder(out, "--out")?;
-        let files = made.files.iter();
-        save_all(files.map(|file| (out.join(&file.name), file.bytes.as_slice())))?;
+        let made = made.files.iter();
+        files.extend(made.map(|file| (out.join(&file.name), file.bytes.as_slice())));
     }
-    let (comparison, device) = compared(args, &scene, &needs)?;
-    if let Some(path) = &args.report {
+    if let Some((path, page)) = &page {
         if let Some(folder) = path
             .parent()
             .filter(|folder| !folder.as_os_str().is_empty())
         {
             create_folder(folder, "--report")?;
         }
-        let page = page(&scene, &needs, &comparison, device.as_deref());
-        save(path, page.as_bytes())?;
+        files.push(((*path).clone(), page.as_bytes()));
     }
+    save_all(files)?;
     if args.json {
-        print(&serde_json::to_string_pretty(&document(&comparison))?);
+        let mut document = document(&comparison);
+        if let Some(all) = document.as_object_mut() {
+            all.insert("scene".to_owned(), scene::document(&scene, &needs));
+        }
+        print(&serde_json::to_string_pretty(&document)?);
         return Ok(());
     }
-    print(&table(&comparison).to_string());
+    print(&super::scene::kept(&needs));
+    print(&format!("\n{}", table(&comparison)));
     print(&said(args, &made));
     Ok(())
 }
@@ -126,23 +138,28 @@ fn targets(args: &StripArgs) -> Result<Vec<Target>> {
 /// Sizes; for a report with times, where there is a device.
 fn compared(
     args: &StripArgs,
-    scene: &Scene,
     needs: &Needs,
+    made: &Bundle,
 ) -> anyhow::Result<(Comparison, Option<String>)> {
-    let wanted = args.report.is_some() || args.device.is_some();
-    let device = match wanted.then(|| host::open(args.device.as_deref())) {
-        Some(Ok(device)) => device,
-        // What is measured where there is no device still is the report.
-        Some(Err(error @ (Error::NoDevice { .. } | Error::InadequateDevice { .. }))) => {
+    let untimed = || sizes(needs, &made.program, &made.spirv);
+    if args.report.is_none() && args.device.is_none() {
+        return Ok((untimed()?, None));
+    }
+    if host::is_cpu(host::asked(args.device.as_deref()).as_deref()) {
+        eprintln!("corput: warning: nothing is timed: the reference runs no kernel");
+        return Ok((untimed()?, None));
+    }
+    let device = match host::open(args.device.as_deref()) {
+        // What is known without one still is a report.
+        Err(error @ (Error::NoDevice { .. } | Error::InadequateDevice { .. })) => {
             eprintln!("corput: warning: nothing is timed: {error}");
-            return Ok((sizes(&scene.name, needs)?, None));
+            return Ok((untimed()?, None));
         }
-        Some(Err(error)) => return Err(error.into()),
-        None => return Ok((sizes(&scene.name, needs)?, None)),
+        opened => opened?,
     };
-    let made = compare(&device, &scene.name, needs)?;
+    let comparison = compare(&device, needs, &made.program, &made.spirv)?;
     host::validated(device.instance())?;
-    Ok((made, Some(host::line(device.info()))))
+    Ok((comparison, Some(host::line(device.info()))))
 }
 
 /// The comparison for a terminal.

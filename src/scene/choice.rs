@@ -27,8 +27,8 @@ impl Choice {
     pub const CHAIN: usize = 16;
 
     /// The choice of weights that [`Needs`](super::Needs) has checked. Probabilities are
-    /// multiples of 2^-32, at least 2^-32 for any positive weight, and off by less than 2^-32
-    /// but for that and the rounding of weights to 62 bits.
+    /// multiples of 2^-32 and at least that for any positive weight; but for what those take
+    /// from the others they are off by 2^-32 at most.
     ///
     /// # Errors
     /// [`Error::Arguments`] for a weight that is negative or not finite, none above 0, or more
@@ -43,10 +43,11 @@ impl Choice {
                 remedy: "mend them".into(),
             });
         }
-        // Their sum stays below 2^63: there are at most 2^31, each at most 2^31.
-        let scale = |weight: &f64| match weight / largest * 2f64.powi(31) {
+        // As many bits each as leave the sum of all below 2^63.
+        let bits = 62 - weights.len().next_power_of_two().trailing_zeros();
+        let scale = |weight: &f64| match weight / largest * 2f64.powi(bits as i32) {
             // What is possible stays so.
-            scaled if *weight > 0.0 => (scaled as u64).max(1),
+            scaled if *weight > 0.0 => (scaled.round() as u64).max(1),
             _ => 0,
         };
         let scaled: Vec<u64> = weights.iter().map(scale).collect();
@@ -126,6 +127,21 @@ mod tests {
         assert_eq!(many.words().len(), 3000);
         let sum: f64 = many.shares.iter().map(|s| f64::from(s.probability)).sum();
         assert!((sum - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn small_weights_keep_their_proportion() {
+        let small = 1.999 * 2f64.powi(-31);
+        let mut weights = vec![small; 65_536];
+        weights[0] = 1.0;
+        let choice = Choice::new(&weights).unwrap();
+        let share = f64::from(choice.shares[1].begin) / 2f64.powi(32);
+        // Each of the small ones has 1 or 2 of 2^32, and 1.999 by right.
+        let right = 1.0 / (1.0 + 65_535.0 * small);
+        assert!(
+            (share - right).abs() < 65_536.0 * 2f64.powi(-32),
+            "{share} {right}"
+        );
     }
 
     #[test]

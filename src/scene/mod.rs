@@ -36,7 +36,7 @@ pub use gltf::{MOST_BYTES, MOST_JSON, MOST_TRIANGLES, SUPPORTED};
 pub use left_out::{LeftOut, Part};
 pub use needs::{Domain, Draw, Needs};
 pub use record::{Field, Record, Span};
-pub use target::Target;
+pub use target::{GROUP, PUSH_BYTES, Target};
 
 use crate::catalog::{Mapping, Profile, Sampler, Scramble, Sequence};
 use crate::{Error, Result};

@@ -4,7 +4,12 @@ use super::Choice;
 use super::needs::{Domain, Draw, refused};
 use crate::Result;
 use crate::catalog::Group;
-use crate::interface::{KERNELS, PushConstants, WorkPush};
+
+/// Invocations of a workgroup of a scene's kernel.
+pub const GROUP: u32 = 64;
+
+/// Bytes of its push constants: the first sample, and how many.
+pub const PUSH_BYTES: u32 = 8;
 
 /// Limits, each unknown unless stated.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,17 +31,16 @@ pub(super) fn check(target: &Target, domains: &[Domain]) -> Result<()> {
     for domain in domains {
         tables.extend(table(domain)?);
     }
-    let group = KERNELS
-        .iter()
-        .find(|kernel| kernel.source == "generate_tile.comp");
-    let invocations = group.map_or(64, |kernel| u64::from(kernel.local_size));
-    let push = WorkPush::MEMBERS.len() as u64 * 4;
     within(
         target.group_invocations,
-        invocations,
+        GROUP.into(),
         "invocations of a workgroup",
     )?;
-    within(target.push_constant_bytes, push, "bytes of push constants")?;
+    within(
+        target.push_constant_bytes,
+        PUSH_BYTES.into(),
+        "bytes of push constants",
+    )?;
     within(
         target.storage_buffers,
         1 + tables.len() as u64,

@@ -10,8 +10,8 @@ pub use target::{TARGETS, Target};
 use super::host::{c_header, rust_module};
 use super::program::{Options, Parameters, Program, Table, program};
 use super::{About, Shader, Translations, translate};
-use crate::Result;
 use crate::scene::{Needs, Scene};
+use crate::{Error, Result};
 
 /// A file of a bundle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,8 +58,7 @@ pub struct Bundle {
     pub optimised: Option<Optimised>,
 }
 
-/// Strips a scene for these targets, each once. Time: some tens of milliseconds, half of it
-/// glslang's; three times that with languages that naga writes.
+/// Strips a scene for these targets, each once.
 ///
 /// # Errors
 /// Those of [`program`]; [`Error::Arguments`](crate::Error::Arguments) of a target that cannot
@@ -72,6 +71,14 @@ pub fn bundle(
     asked: BundleOptions,
 ) -> Result<Bundle> {
     let name = &scene.name;
+    // It becomes part of file names.
+    if name.is_empty() || name.contains(['/', '\\', '\0']) {
+        return Err(Error::Arguments {
+            asked: format!("files of a scene named {name:?}"),
+            limit: "a name is part of one, so that it has no separators of folders".to_owned(),
+            remedy: "give the scene another name".to_owned(),
+        });
+    }
     let options = Options {
         parameters: Parameters::Push,
         cpu: asked.cpu,
@@ -93,7 +100,7 @@ pub fn bundle(
     // Languages and engines without push constants.
     let options = Options {
         parameters: Parameters::Uniform,
-        cpu: false,
+        cpu: asked.cpu,
     };
     let uniform = match targets.iter().any(|one| one.has_uniform()) {
         true => Some(program(name, needs, options)?),
@@ -174,5 +181,14 @@ fn translations(program: &Program, scene: &str) -> Result<Translations> {
         what: "the kernel of a scene",
         scene,
     };
-    translate(Shader::Spirv(&words), &about)
+    translate(Shader::Spirv(&words), &about).map_err(|error| match error {
+        // What it says of stock kernels is done here already.
+        Error::Arguments { asked, limit, .. } => Error::Arguments {
+            asked: format!("{asked}, {scene}"),
+            limit,
+            remedy: "leave wgsl, hlsl and msl out of the targets, or change what the scene draws"
+                .to_owned(),
+        },
+        other => other,
+    })
 }

@@ -221,8 +221,8 @@ fn the_target_is_asked_before_work_begins() {
         ),
         (
             "push-constant-bytes",
-            12,
-            "12 bytes of push constants: the target has 11",
+            8,
+            "8 bytes of push constants: the target has 7",
         ),
         (
             "storage-buffers",

@@ -157,8 +157,25 @@ fn what_is_absent_is_absent() {
         let wrong = superfluous(&needs, &made.spirv);
         assert_eq!(wrong, Vec::<String>::new(), "{name}");
     }
-    // Each of these is found where it is: the needs of one scene, the module of another.
+    // The general kernel, with all that a scene's kernel has not.
     let (_, quad) = scene("diffuse_quad");
+    let stock = corput::kernels::spirv("generate_digits").unwrap();
+    let wrong = superfluous(&quad, &stock).join(", ");
+    assert!(wrong.contains("specialization constants"), "{wrong}");
+    for (sampler, word) in [
+        ("lattice", "corput_lattice"),
+        ("cmj", "corput_cmj"),
+        ("r2", "corput_additive"),
+    ] {
+        let case = samplers()
+            .into_iter()
+            .find(|case| case.name.starts_with(sampler))
+            .unwrap();
+        let made = stripped(&Scene::new("points").unwrap(), &case.needs);
+        let wrong = superfluous(&quad, &made.spirv);
+        assert!(wrong.iter().any(|one| one == word), "{sampler}: {wrong:?}");
+    }
+    // Each of these is found where it is: the needs of one scene, the module of another.
     for (other, word) in [
         ("glossy_sphere", "corput_ggx_vndf"),
         ("everything", "corput_native_ggx_vndf_cap"),
@@ -236,6 +253,25 @@ fn the_manifest_says_what_is_there() {
         let text = String::from_utf8(file.bytes.clone()).unwrap();
         assert!(text.contains("generated, not compiled here"), "{ending}");
         assert!(text.contains("tier F has no guarantee"), "{ending}");
+    }
+    // Runs are as long in every language.
+    let options = BundleOptions {
+        cpu: true,
+        ..BundleOptions::default()
+    };
+    let (quad, quad_needs) = self::scene("diffuse_quad");
+    for options in [options, BundleOptions::default()] {
+        let made = bundle(&quad, &quad_needs, &TARGETS, options).unwrap();
+        let run = format!("begin = i * {}u;", made.program.run);
+        let godot = made
+            .files
+            .iter()
+            .find(|file| file.name.ends_with("godot.glsl"))
+            .unwrap();
+        assert!(
+            String::from_utf8_lossy(&godot.bytes).contains(&run),
+            "{run}"
+        );
     }
     let again = stripped(&scene, &needs);
     assert_eq!(made.files, again.files, "the same scene, other bytes");

@@ -153,7 +153,14 @@ fn what_cannot_be_is_refused_and_nothing_written() {
         (&["strip"], "it takes a scene, or a sampler"),
         (&["strip", broken], "line 2, column 1: unknown key `lense`"),
         (&["strip", "--sampler", "sobl"], "did you mean `sobol`"),
-        (&["strip", "--sampler", "sobol", "--dims", "0"], "0"),
+        (
+            &["strip", "--sampler", "sobol", "--dims", "1025"],
+            "at most 1024",
+        ),
+        (
+            &["strip", SKY, "--device", "no such device"],
+            "no such device",
+        ),
         (&["strip", "--sampler", "sobol", "--dims", "99999"], "99999"),
         (
             &["strip", "--sampler", "sobol", "--samples", "4294967297"],

@@ -12,7 +12,7 @@ use crate::catalog::Profile;
 use crate::interface::FAMILIES;
 use crate::kernels::spirv;
 use crate::scene::Needs;
-use crate::strip::program::{Options, Parameters, Program, program};
+use crate::strip::program::{Options, Parameters, Program, Sampler, program};
 use crate::strip::{Measure, measure};
 use crate::variant::{Plan, Work, general};
 use crate::vulkan::{Device, DeviceKind, Timing};
@@ -50,7 +50,8 @@ pub struct Speed {
 pub struct Speeds {
     /// Samples of each round.
     pub samples: u32,
-    /// By the stock kernels, all chosen at run time: each domain's points, and then its map.
+    /// By the stock kernels, chosen at run time: of each domain its points, by the general kernel
+    /// of the sampler's family, and then its map. Numbers with ends and choices are not drawn.
     pub full: Speed,
     /// By the scene's own.
     pub stripped: Speed,
@@ -75,13 +76,11 @@ pub struct Comparison {
     pub speeds: Option<Speeds>,
 }
 
-/// Sizes of a scene's kernel and of the stock ones.
+/// Sizes of a scene's kernel, in its module, and of the stock ones.
 ///
 /// # Errors
-/// Those of [`program`].
-pub fn sizes(name: &str, needs: &Needs) -> Result<Comparison> {
-    let program = program(name, needs, Options::default())?;
-    let words = program.spirv(&program.flat(false)?.text)?;
+/// [`Error::Shader`] for words that are no module.
+pub fn sizes(needs: &Needs, program: &Program, words: &[u32]) -> Result<Comparison> {
     let full = full_size(needs)?;
     let own = spirv(general_plan(needs).kernel.name)?;
     let mut any_bytes = full.modules.bytes - 4 * own.len();
@@ -89,39 +88,49 @@ pub fn sizes(name: &str, needs: &Needs) -> Result<Comparison> {
         any_bytes += 4 * spirv(&format!("generate{}", family.suffix()))?.len();
     }
     Ok(Comparison {
-        name: name.to_owned(),
+        name: program.name.clone(),
         full,
         any_bytes,
-        stripped: stripped_size(&program, &words)?,
+        stripped: stripped_size(program, words)?,
         speeds: None,
     })
 }
 
-/// The same with times on a device. Samples at both ends of the indices are compared with the
-/// reference's first: word for word in the exact profile, within what Vulkan allows in the
-/// native one.
+/// The same with times on a device, after [`verify`].
 ///
 /// # Errors
-/// [`Error::CheckFailed`] for samples that are others; those of the device.
-pub fn compare(device: &Arc<Device>, name: &str, needs: &Needs) -> Result<Comparison> {
-    let cpu = device.info().kind == DeviceKind::Cpu;
-    let options = Options {
-        parameters: Parameters::Push,
-        cpu,
-    };
-    let program = program(name, needs, options)?;
-    let words = program.spirv(&program.flat(false)?.text)?;
-    let mut stripped = Stripped::new(device, &program, &words)?;
-    verify(&stripped, needs)?;
+/// Those of [`verify`] and of the device.
+pub fn compare(
+    device: &Arc<Device>,
+    needs: &Needs,
+    program: &Program,
+    words: &[u32],
+) -> Result<Comparison> {
+    verify(device, needs, program, words)?;
+    let mut stripped = Stripped::new(device, program, words)?;
     let mut full = Full::new(device, needs)?;
     let mut baked = match alone(needs) {
         Some(request) => Some(Baked::new(device, &request)?),
         None => None,
     };
     Ok(Comparison {
-        speeds: Some(speeds(needs, &mut full, &mut stripped, baked.as_mut())?),
-        ..sizes(name, needs)?
+        speeds: Some(speeds(&mut full, &mut stripped, baked.as_mut())?),
+        ..sizes(needs, program, words)?
     })
+}
+
+/// A scene's program and module in the form that a device likes: long runs on CPUs.
+///
+/// # Errors
+/// Those of [`program`].
+pub fn suited(device: &Device, name: &str, needs: &Needs) -> Result<(Program, Vec<u32>)> {
+    let options = Options {
+        parameters: Parameters::Push,
+        cpu: device.info().kind == DeviceKind::Cpu,
+    };
+    let program = program(name, needs, options)?;
+    let words = program.spirv(&program.flat(false)?.text)?;
+    Ok((program, words))
 }
 
 fn module(size: &mut Size, name: &str, words: &[u32]) -> Result<()> {
@@ -187,20 +196,14 @@ fn seconds(timing: Timing) -> f64 {
     1e-9 * timing.device_ns.unwrap_or(timing.host_ns)
 }
 
-fn speeds(
-    needs: &Needs,
-    full: &mut Full,
-    stripped: &mut Stripped,
-    baked: Option<&mut Baked>,
-) -> Result<Speeds> {
+/// Samples of a dispatch at most. Of scenes with fewer a renderer has those of many pixels.
+const MOST: u64 = 1 << 24;
+
+fn speeds(full: &mut Full, stripped: &mut Stripped, baked: Option<&mut Baked>) -> Result<Speeds> {
     let mut makers: Vec<&mut dyn Maker> = vec![full, stripped];
     makers.extend(baked.map(|one| one as &mut dyn Maker));
     let limits = makers.iter().map(|maker| maker.limit());
-    let most = limits
-        .min()
-        .unwrap_or(0)
-        .min(needs.request.count)
-        .min(1 << 24);
+    let most = limits.min().unwrap_or(0).min(MOST);
     let trial = TRIAL.min(most as u32);
     let mut slowest = 0.0f64;
     for maker in &mut makers {
@@ -241,27 +244,32 @@ fn speeds(
     })
 }
 
-/// Samples at the beginning and at the end of the indices: in the exact profile word for word,
-/// in the native one numbers and choices so, and coordinates within the bound of their map.
-fn verify(stripped: &Stripped, needs: &Needs) -> Result<()> {
+/// Compares samples at the beginning and at the end of the indices with the reference: in the
+/// exact profile word for word, in the native one numbers and choices so, and coordinates within
+/// the bound of their map.
+///
+/// # Errors
+/// [`Error::CheckFailed`] for samples that are others; those of the device.
+pub fn verify(device: &Arc<Device>, needs: &Needs, program: &Program, words: &[u32]) -> Result<()> {
     let profile = needs.request.profile;
     let mut exact = needs.clone();
     exact.request.profile = Profile::Exact;
     let reference = SceneReference::new(&exact)?;
+    let bounds = bounds(needs, &reference);
+    let sampler = Sampler::new(device, program, words)?;
     let count = needs.request.count.min(1 << 10);
     for first in [0, needs.request.count - count] {
-        let got = stripped.read(first as u32, count as u32)?;
+        let got = sampler.run(first as u32, count as u32)?;
         let mut want = vec![0; got.len()];
         reference.fill(first as u32, &mut want);
-        let bounds = bounds(needs, &reference);
         let words = got.iter().zip(&want).zip(bounds.iter().cycle());
         let failures = words
             .filter(|((got, want), bound)| match (profile, bound) {
                 (Profile::Exact, _) | (_, None) => got != want,
                 (Profile::Native, Some(bound)) => {
                     let [got, want] = [got, want].map(|word| f64::from(f32::from_bits(**word)));
-                    let off = (got - want).abs();
-                    off.is_nan() || off > bound * want.abs().max(1.0)
+                    // NaN is never near.
+                    !bound.is_infinite() && !near(got, want, bound * want.abs().max(1.0))
                 }
             })
             .count();
@@ -273,6 +281,10 @@ fn verify(stripped: &Stripped, needs: &Needs) -> Result<()> {
         }
     }
     Ok(())
+}
+
+fn near(got: f64, want: f64, most: f64) -> bool {
+    (got - want).abs() <= most
 }
 
 /// For each word of a record how far it may be off in the native profile; none may that no map

@@ -93,7 +93,7 @@ impl Target {
         match self {
             Self::Glsl => "compiled by glslang, as the module",
             Self::Spirv => "compiled by glslang, linted",
-            Self::Godot => "generated, not compiled here",
+            Self::Godot => "generated, not run in Godot",
             Self::Wgsl => "read again and validated by naga",
             Self::Hlsl | Self::Msl => "generated, not compiled here",
             Self::C | Self::Rust => "asserts its layout when it is compiled",
@@ -104,7 +104,10 @@ impl Target {
     #[must_use]
     pub fn promise(self) -> &'static str {
         match self {
-            Self::Glsl | Self::Spirv | Self::Godot => "that of the module's profile",
+            Self::Spirv => "that of the module's profile",
+            Self::Glsl | Self::Godot => {
+                "that of the profile; of tier F only where float results are NoContraction"
+            }
             Self::Wgsl | Self::Hlsl | Self::Msl => "tier I alone: naga drops NoContraction",
             Self::C | Self::Rust => "none is made: it has no results",
         }

@@ -30,6 +30,7 @@ pub fn identifier(text: &str) -> String {
     let name = words.join("_");
     match is_name(&name) {
         true => name,
+        false if name.is_empty() => "scene".to_owned(),
         false => format!("scene_{name}"),
     }
 }

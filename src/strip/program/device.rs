@@ -4,6 +4,7 @@ use super::{Parameters, Program};
 use crate::catalog::Profile as Functions;
 use crate::compile::{check, to_spirv};
 use crate::interface::Profile;
+use crate::scene::PUSH_BYTES;
 use crate::vulkan::{Access, Buffer, Device, Pipeline, PipelineDescription, Timing};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -55,7 +56,7 @@ impl Sampler {
             spirv: words,
             bindings: &program.bindings(),
             push_constant_bytes: match program.parameters {
-                Parameters::Push => 8,
+                Parameters::Push => PUSH_BYTES,
                 Parameters::Uniform => 0,
             },
             specialization: &[],
@@ -77,8 +78,30 @@ impl Sampler {
     /// Makes samples into a buffer of at least [`Program::sample_bytes`].
     ///
     /// # Errors
-    /// Those of the device.
+    /// [`Error::Arguments`] for a smaller buffer, and for samples past the scene's last; those
+    /// of the device.
     pub fn dispatch(&self, results: &Buffer, first: u32, count: u32) -> Result<Timing> {
+        let end = u64::from(first) + u64::from(count);
+        if end > self.program.samples {
+            return Err(Error::Arguments {
+                asked: format!("samples {first} to {}", end.saturating_sub(1)),
+                limit: format!("{} has {}", self.program.name, self.program.samples),
+                remedy: "ask for fewer, or strip it for more".to_owned(),
+            });
+        }
+        self.dispatch_any(results, first, count)
+    }
+
+    /// The same also past the last sample, where points are not the sampler's: for times.
+    pub(crate) fn dispatch_any(&self, results: &Buffer, first: u32, count: u32) -> Result<Timing> {
+        let needed = self.program.sample_bytes(count.into());
+        if results.bytes() < needed {
+            return Err(Error::Arguments {
+                asked: format!("{count} samples in {} bytes", results.bytes()),
+                limit: format!("they need {needed}"),
+                remedy: "give a larger buffer".to_owned(),
+            });
+        }
         let parameters = [first, count, 0, 0];
         let mut buffers = vec![(super::SAMPLES, results)];
         let numbers = self.program.tables.iter().map(|table| table.binding);

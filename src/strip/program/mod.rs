@@ -25,8 +25,10 @@ use crate::scene::{Choice, Draw, Needs, Record};
 use crate::variant::longest_run;
 use crate::{Error, Result};
 
-/// Invocations of a workgroup.
-pub const GROUP: u32 = 64;
+pub use crate::scene::GROUP;
+
+/// The most dimensions of a kernel: its cursor has some words of each.
+pub const MOST_DIMENSIONS: u32 = 1024;
 
 /// Where a kernel has its two parameters, `first` and `count`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -86,6 +88,9 @@ pub struct Program {
     pub samples: u64,
 }
 
+/// Tables beside the samples: Vulkan guarantees four storage buffers.
+const MOST_TABLES: usize = 3;
+
 /// The binding of the samples.
 const SAMPLES: u32 = 0;
 
@@ -102,8 +107,16 @@ const TABLE_WORDS: usize = crate::interface::TABLE_WORDS;
 ///
 /// # Errors
 /// [`Error::Arguments`] for numbers that floats cannot tell apart, for more than one
-/// environment, and for an environment of more than 2^25 words.
+/// environment, for an environment of more than 2^25 words, for more than [`MOST_DIMENSIONS`],
+/// and for more buffers than every device has.
 pub fn program(name: &str, needs: &Needs, options: Options) -> Result<Program> {
+    if needs.dimensions() > MOST_DIMENSIONS {
+        return Err(refused(
+            format!("a kernel of {} dimensions", needs.dimensions()),
+            "it has at most 1024",
+            "use `generate`, or the headers in a loop over dimensions",
+        ));
+    }
     let record = Record::of(needs);
     let profile = needs.request.profile;
     let samples = needs.request.count;
@@ -138,6 +151,14 @@ pub fn program(name: &str, needs: &Needs, options: Options) -> Result<Program> {
             key: domain.key.clone(),
             words,
         });
+    }
+    if tables.len() > MOST_TABLES {
+        let keys: Vec<&str> = tables.iter().map(|table| table.key.as_str()).collect();
+        return Err(refused(
+            format!("tables for {}", keys.join(", ")),
+            "a kernel has three besides its samples, as every Vulkan device has four buffers",
+            "choose among fewer: choices among up to 16 need no table",
+        ));
     }
     let columns = &needs.request.columns;
     let run = if options.cpu && short {

@@ -61,15 +61,25 @@ pub fn samplers() -> Vec<Case> {
                 continue;
             };
             let name = sampler.name();
+            let before = cases.len();
             for (dimensions, mapping) in [(1, None), (2, None), (3, Some(map())), (7, None)] {
-                let samples = if dimensions == 2 { 1 << 32 } else { 46_225 };
-                let scene = scene(&name, samples, 0x0123_4567_89ab_cdef);
-                // Sets of other sizes, sequences of fewer dimensions.
-                if let Ok(needs) = Needs::of_points(&scene, dimensions, mapping) {
+                // As many as there can be in two dimensions; a number without many divisors;
+                // what lattices and published generators take.
+                let counts: &[u64] = match dimensions {
+                    2 => &[1 << 32, (1 << 32) - 1, 1 << 20, 1021],
+                    _ => &[46_225, 1 << 16, 1021],
+                };
+                let made = counts.iter().find_map(|samples| {
+                    let scene = scene(&name, *samples, 0x0123_4567_89ab_cdef);
+                    Needs::of_points(&scene, dimensions, mapping.clone()).ok()
+                });
+                // Some have fewer dimensions.
+                if let Some(needs) = made {
                     let name = format!("{name}, {dimensions} dimensions");
                     cases.push(Case { name, needs });
                 }
             }
+            assert!(cases.len() > before, "{name} has no case");
         }
     }
     cases
