@@ -57,19 +57,18 @@ fn functions(words: &[u32]) -> Vec<String> {
 /// Names of functions that only this sequence's columns call.
 fn own_functions(sequence: Sequence) -> &'static [&'static str] {
     match sequence {
-        Sequence::Random => &["corput_random"],
         Sequence::RandomFast => &["corput_random_fast"],
         Sequence::Pcg32 => &["corput_pcg32_value"],
         Sequence::Stratified => &["corput_stratified"],
         Sequence::LatinHypercube => &["corput_latin_hypercube"],
         Sequence::MultiJittered => &["corput_cmj"],
-        Sequence::Halton => &["corput_radical_inverse_table"],
         Sequence::Hammersley => &["corput_hammersley_value"],
         Sequence::Sobol => &["corput_owen_hash_reversed"],
         Sequence::Pmj02 => &["corput_pmj02_scramble"],
         Sequence::Lattice => &["corput_lattice"],
         Sequence::Korobov => &["corput_korobov"],
         Sequence::R2 => &["corput_additive"],
+        // Strata and nets are jittered by random numbers, Hammersley's set has radical inverses.
         _ => &[],
     }
 }
@@ -110,13 +109,8 @@ fn superfluous(needs: &Needs, words: &[u32]) -> Vec<String> {
         .filter(|one| **one != needs.request.sequence)
     {
         let own = own_functions(*sequence);
-        // Strata and nets are jittered by random numbers, Hammersley's set has radical inverses.
-        let shared = ["corput_random", "corput_radical_inverse_table"];
-        let own = own.iter().filter(|name| !shared.contains(name));
-        wrong.extend(
-            own.map(ToString::to_string)
-                .filter(|name| found.contains(name)),
-        );
+        let own = own.iter().map(ToString::to_string);
+        wrong.extend(own.filter(|name| found.contains(name)));
     }
     let native = needs.request.profile == Profile::Native;
     if !native {
