@@ -17,7 +17,9 @@ const MESSAGES: usize = 1000;
 /// How to connect to the loader.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct InstanceOptions {
-    /// Load the Khronos validation layer, synchronisation validation included.
+    /// Load the Khronos validation layer, synchronisation validation included. The layer
+    /// (1.3.239 at least) crashes where one thread makes or destroys an instance or a device
+    /// while another calls any: a program that validates keeps the two apart.
     pub validation: bool,
 }
 

@@ -100,7 +100,7 @@ fn draws_the_reference(name: &str) {
     let desk = tempfile::tempdir().unwrap();
     let mut runs = vec![(two_tables(desk.path()), Drivers::All)];
     runs.extend(SMALL.map(|name| (scene(name), Drivers::All)));
-    let devices = support::instance().devices().unwrap();
+    let devices = support::instance(&support::turn()).devices().unwrap();
     if devices
         .iter()
         .any(|device| device.name.contains("llvmpipe"))

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test uses a part of it")]
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use corput::interface::Kernel;
 use corput::vulkan::{
@@ -61,8 +61,20 @@ pub fn shader(declarations: &str, body: &str) -> Vec<u32> {
     ))
 }
 
+/// A test's turn at the validation layer, until it is dropped.
+pub struct Turn(#[allow(dead_code, reason = "held")] MutexGuard<'static, ()>);
+
+/// Waits until no other test of this process has a device. The layer (1.3.239) finds its data
+/// of an instance or a device in one map without a lock, in every call: where one test made or
+/// destroyed a device while another was calling, one process in hundreds crashed. Threads of
+/// one test may share its devices.
+pub fn turn() -> Turn {
+    static ONE: Mutex<()> = Mutex::new(());
+    Turn(ONE.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
 /// An instance with validation; without only if `CORPUT_SKIP_VALIDATION=1`.
-pub fn instance() -> Arc<Instance> {
+pub fn instance(_: &Turn) -> Arc<Instance> {
     // The loader unloads drivers with its last instance, while threads of theirs may still be
     // ending: one run in hundreds crashed. One instance is therefore never closed.
     static OPEN: OnceLock<Option<Arc<Instance>>> = OnceLock::new();
@@ -82,7 +94,8 @@ pub fn on_each_device(test: impl Fn(&Arc<Device>)) {
     if skips() {
         return;
     }
-    let instance = instance();
+    let turn = turn();
+    let instance = instance(&turn);
     let devices = instance.devices().expect("a list of devices");
     assert!(
         !devices.is_empty(),
@@ -101,7 +114,8 @@ pub fn on_one_device(test: impl Fn(&Arc<Device>)) {
     if skips() {
         return;
     }
-    let instance = instance();
+    let turn = turn();
+    let instance = instance(&turn);
     let devices = instance.devices().expect("a list of devices");
     let lavapipe = devices.iter().find(|info| info.name.contains("llvmpipe"));
     let info = lavapipe.or(devices.first()).unwrap_or_else(|| {

@@ -650,7 +650,8 @@ fn validation_speaks_up() {
     if support::skips() {
         return;
     }
-    let instance = support::instance();
+    let turn = support::turn();
+    let instance = support::instance(&turn);
     if !instance.is_validating() {
         eprintln!("SKIPPED: CORPUT_SKIP_VALIDATION=1");
         return;
