@@ -7,7 +7,8 @@ fn main() -> corput::Result<()> {
     let devices = instance.devices()?;
     let device = Device::open(&instance, select(&devices, None)?)?;
     println!("{} ({})", device.info().name, device.info().driver_info);
-    for m in corput::bench::run(&device, &mut |_| ())? {
+    for job in corput::bench::jobs()? {
+        let m = corput::bench::on_device(&device, &job)?;
         println!(
             "{:<26} {:>8.2} ms  ± {:>6.2}  {:>6.2} x fill  {:.3} G points/s",
             m.name,

@@ -331,6 +331,16 @@ pub enum Error {
         /// Rows that one has.
         missing: usize,
     },
+    /// Jobs that take longer than before.
+    #[error(
+        "{jobs} of {total} jobs are slower than the baseline by more than noise explains; the table names them"
+    )]
+    Slower {
+        /// Jobs that are slower.
+        jobs: usize,
+        /// Jobs measured.
+        total: usize,
+    },
     /// GLSL that cannot be taken apart.
     #[error("{file}, line {line}: {problem}; {remedy}")]
     Glsl {
@@ -398,6 +408,7 @@ impl Error {
         match self {
             Self::CheckFailed { .. }
             | Self::CardsDiffer { .. }
+            | Self::Slower { .. }
             | Self::NotFinite { .. }
             | Self::Unequal { .. } => 1,
             Self::ZeroCount { .. }

@@ -327,9 +327,15 @@ pub struct DemoArgs {
 pub struct BenchArgs {
     /// Measure the kernels of these scenes instead: each against the stock kernels that draw the
     /// same.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["only", "against"])]
     pub scene: Vec<PathBuf>,
-    /// Device by index or part of its name.
+    /// Only the jobs whose names hold one of these, as halton,sobol [default: all].
+    #[arg(long, value_delimiter = ',')]
+    pub only: Vec<String>,
+    /// Compare with what `bench --json` printed before; exit code 1 where a job is slower.
+    #[arg(long, value_name = "FILE")]
+    pub against: Option<PathBuf>,
+    /// Device by index or part of its name; cpu measures the CPU path.
     #[arg(long)]
     pub device: Option<String>,
     /// Print one JSON document.

@@ -4,38 +4,72 @@ use super::args::BenchArgs;
 use super::{host, print, progress, strip};
 use comfy_table::{CellAlignment, Table, presets};
 use corput::bench::scene::{compare, document, suited};
-use corput::bench::{self, Goal, Measurement};
+use corput::bench::{self, Baseline, Change, Goal, Machine, Measurement, changes};
 use corput::scene::{self, Needs};
 use corput::vulkan::Device;
 use serde_json::json;
 use std::sync::Arc;
 
 pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
-    let device = host::open(args.device.as_deref())?;
     if !args.scene.is_empty() {
-        return scenes(args, &device);
+        return scenes(args, &host::open(args.device.as_deref())?);
     }
+    // What cannot be used is said before anything is timed.
+    let jobs = bench::chosen(&args.only)?;
+    let baseline = args.against.as_deref().map(Baseline::read).transpose()?;
+    let asked = host::asked(args.device.as_deref());
+    let device = match host::is_cpu(asked.as_deref()) {
+        true => None,
+        false => Some(host::open(args.device.as_deref())?),
+    };
     let bar = progress::rows();
-    let measurements = bench::run(&device, &mut |name| {
+    let mut measured = Vec::new();
+    for job in &jobs {
         bar.inc(1);
-        bar.set_message(name.to_owned());
-    })?;
-    bar.finish_and_clear();
-    host::validated(device.instance())?;
-    let line = host::line(device.info());
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    if args.json {
-        let jobs: Vec<_> = measurements.iter().map(Measurement::json).collect();
-        let document = json!({
-            "version": env!("CARGO_PKG_VERSION"),
-            "device": line,
-            "host_threads": threads,
-            "jobs": jobs,
+        bar.set_message(job.name.clone());
+        measured.push(match &device {
+            Some(device) => bench::on_device(device, job)?,
+            None => bench::on_cpu(job)?,
         });
-        print(&serde_json::to_string_pretty(&document)?);
-        return Ok(());
     }
-    print(&format!("{line}; fills by {threads} threads of the host"));
+    bar.finish_and_clear();
+    if let Some(device) = &device {
+        host::validated(device.instance())?;
+    }
+    let cpu = || "cpu, the reference in blocks".to_owned();
+    let machine = Machine {
+        device: device.map_or_else(cpu, |device| host::line(device.info())),
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        command: host::command(),
+    };
+    let changes = baseline.as_ref().map(|before| changes(&measured, before));
+    if args.json {
+        let document = bench::json(&machine, &measured, changes.as_deref());
+        print(&serde_json::to_string_pretty(&document)?);
+    } else {
+        let threads = machine.threads;
+        print(&format!(
+            "{}; fills by {threads} threads of the host",
+            machine.device
+        ));
+        print(&table(&measured).to_string());
+    }
+    let (Some(before), Some(changes)) = (baseline, changes) else {
+        return Ok(());
+    };
+    if before.device != machine.device {
+        eprintln!(
+            "corput: warning: the baseline is of another device: {}",
+            before.device
+        );
+    }
+    if !args.json {
+        print(&format!("\n{}", compared(&changes)));
+    }
+    Ok(bench::slower(&changes)?)
+}
+
+fn table(measured: &[Measurement]) -> Table {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_header([
         "job",
@@ -47,24 +81,15 @@ pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
         "cold ms",
         "goal",
     ]);
-    for m in &measurements {
-        let goal = match (m.goal, m.reached()) {
-            (Some(goal), reached) => {
-                let text = match goal {
-                    Goal::Fill(most) => format!("<= {most} x fill"),
-                    Goal::Rate(least) => format!(">= {:.2} G/s", least / 1e9),
-                };
-                format!(
-                    "{text}: {}",
-                    if reached == Some(true) {
-                        "reached"
-                    } else {
-                        "MISSED"
-                    }
-                )
-            }
-            (None, _) => String::new(),
-        };
+    for m in measured {
+        let goal = m.goal.map_or(String::new(), |goal| {
+            let text = match goal {
+                Goal::Fill(most) => format!("<= {most} x fill"),
+                Goal::Rate(least) => format!(">= {:.2} G/s", least / 1e9),
+            };
+            let reached = m.reached() == Some(true);
+            format!("{text}: {}", if reached { "reached" } else { "MISSED" })
+        });
         table.add_row([
             m.name.clone(),
             m.kernel.clone(),
@@ -76,13 +101,34 @@ pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
             goal,
         ]);
     }
-    for column in 2..7 {
+    align_right(&mut table, 2..7);
+    table
+}
+
+/// What changed since a baseline.
+fn compared(changes: &[Change]) -> Table {
+    let mut table = Table::new();
+    let header = ["job", "time, x before", "x fill, x before", "verdict"];
+    table.load_style(presets::NOTHING).set_header(header);
+    for change in changes {
+        let ratio = |value: Option<f64>| value.map_or(String::new(), |x| format!("{x:.2}"));
+        table.add_row([
+            change.name.clone(),
+            ratio(change.seconds),
+            ratio(change.fills),
+            change.verdict.name().to_owned(),
+        ]);
+    }
+    align_right(&mut table, 1..3);
+    table
+}
+
+fn align_right(table: &mut Table, columns: std::ops::Range<usize>) {
+    for column in columns {
         if let Some(column) = table.column_mut(column) {
             column.set_cell_alignment(CellAlignment::Right);
         }
     }
-    print(&table.to_string());
-    Ok(())
 }
 
 /// Each scene's kernel against the stock ones.

@@ -2,6 +2,8 @@
 
 #[path = "cli/accuracy.rs"]
 mod accuracy;
+#[path = "cli/bench.rs"]
+mod bench;
 #[path = "cli/blue_noise.rs"]
 mod blue_noise;
 #[path = "cli/check.rs"]

@@ -1,0 +1,96 @@
+//! `corput bench`, but for scenes.
+
+use super::refused::assert_refused;
+use super::{Desk, skips};
+use serde_json::{Value, json};
+
+/// What a command prints, as JSON.
+fn document(desk: &Desk, line: &str) -> Value {
+    serde_json::from_str(&desk.say(line)).expect("JSON")
+}
+
+/// Runs `bench ONLY --against` a baseline whose times are those of `measured` times `factor`.
+fn against(desk: &Desk, line: &str, measured: &Value, factor: f64) -> super::Run {
+    let mut before = measured.clone();
+    for job in before["jobs"].as_array_mut().expect("jobs") {
+        for time in ["median_s", "deviation_s"] {
+            job[time] = json!(job[time].as_f64().expect("a time") * factor);
+        }
+    }
+    std::fs::write(desk.path("before.json"), before.to_string()).expect("written");
+    desk.run(&format!("{line} --against before.json"))
+}
+
+#[test]
+fn a_device_is_measured_and_compared_with_before() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let line = "bench --only hammersley";
+    let said = document(&desk, &format!("{line} --json"));
+    assert_eq!(said["schema"], "corput-bench/1");
+    assert_eq!(said["command"], format!("corput {line} --json"));
+    let jobs = said["jobs"].as_array().expect("jobs");
+    assert_eq!(jobs.len(), 1);
+    let job = &jobs[0];
+    assert_eq!(
+        (&job["name"], &job["bytes"]),
+        (&json!("Hammersley d=2"), &json!(1 << 27))
+    );
+    for time in ["cold_s", "median_s", "fill_s", "times_fill", "points_per_s"] {
+        assert!(job[time].as_f64().is_some_and(|x| x > 0.0), "{time}: {job}");
+    }
+    // A hundred times as fast, or as slow, is no noise.
+    let slow = against(&desk, line, &said, 0.01);
+    slow.expect(1, &["1 of 1 jobs are slower"]);
+    let table = String::from_utf8(slow.stdout).expect("text");
+    assert!(
+        table.contains("slower") && table.contains("x fill"),
+        "{table}"
+    );
+    let fast = against(&desk, &format!("{line} --json"), &said, 100.0);
+    fast.expect(0, &[]);
+    let fast: Value = serde_json::from_slice(&fast.stdout).expect("JSON");
+    assert_eq!(fast["changes"][0]["verdict"], "faster");
+}
+
+#[test]
+fn the_cpu_is_measured_without_a_device() {
+    let desk = Desk::new();
+    let line = "bench --device cpu --only hammersley --json";
+    let said = document(&desk, line);
+    assert!(
+        said["device"]
+            .as_str()
+            .is_some_and(|d| d.starts_with("cpu"))
+    );
+    assert_eq!(said["jobs"][0]["kernel"], "");
+    assert_eq!(said["jobs"][0]["goal"]["times_fill_at_most"], 1.3);
+    // Another device's times are compared, with a warning.
+    let mut before = said.clone();
+    before["device"] = json!("another");
+    let run = against(
+        &desk,
+        "bench --device cpu --only hammersley",
+        &before,
+        100.0,
+    );
+    run.expect(0, &["of another device: another"]);
+}
+
+#[test]
+fn what_cannot_be_measured_is_refused() {
+    assert_refused(
+        "bench --device cpu --only hamersley",
+        &["unknown job `hamersley`", "did you mean `hammersley`?"],
+    );
+    assert_refused(
+        "bench --device cpu --against before.json",
+        &["before.json", "corput bench --json"],
+    );
+    assert_refused(
+        "bench --scene a.toml --only halton",
+        &["cannot be used with", "--only"],
+    );
+}
