@@ -40,12 +40,15 @@ impl Points {
             .map(|values| pipeline(device, plan.kernel, words, values))
             .collect::<Result<Vec<_>>>()?;
         let point_bytes = 4 * u64::from(request.words_per_point());
-        // Whole invocations: a tile each, or four words.
+        // Whole invocations: a tile each, or four words. Those of shorter tiles may end past
+        // whole ones of the longest.
         let unit = u64::from(plan.tile.max(4)) * point_bytes;
         let most = BUFFER_BYTES.min(most * point_bytes) / unit * unit;
         let wanted = (request.count * point_bytes).next_multiple_of(unit);
         let bytes = wanted.min(most.max(unit));
-        let results = Buffer::new(device, bytes, access)?;
+        let even = plan.tiles.iter().all(|tile| *tile == plan.tile);
+        let spare = if even { 0 } else { unit };
+        let results = Buffer::new(device, bytes + spare, access)?;
         let table = match &plan.table {
             Some(words) => Some(table(device, words)?),
             None => None,
@@ -84,26 +87,24 @@ impl Points {
     /// Makes up to [`Self::limit`] points, `start` counted from the request's first.
     pub(super) fn dispatch(&self, start: u64, points: u64) -> Result<Timing> {
         let words = points * u64::from(self.request.words_per_point());
-        let invocations = match self.plan.tile {
-            0 => words.div_ceil(4),
-            tile => points.div_ceil(u64::from(tile)),
-        } as u32;
-        let push = WorkPush {
-            // Both fit: first + count <= 2^32.
-            first: (self.request.first + start) as u32,
-            invocations,
-            stride: 1,
-        };
         let mut buffers = vec![(0, &self.results)];
         if let Some(table) = &self.table {
             buffers.push((1, table));
         }
-        let groups = groups(self.plan.kernel, invocations);
         let mut total = Timing {
             device_ns: Some(0.0),
             host_ns: 0.0,
         };
-        for pipeline in &self.pipelines {
+        let tiles = self.plan.tiles.iter().map(|tile| Some(u64::from(*tile)));
+        for (pipeline, tile) in self.pipelines.iter().zip(tiles.chain([None])) {
+            // They fit: first + count <= 2^32.
+            let invocations = tile.map_or(words.div_ceil(4), |tile| points.div_ceil(tile)) as u32;
+            let push = WorkPush {
+                first: (self.request.first + start) as u32,
+                invocations,
+                stride: 1,
+            };
+            let groups = groups(self.plan.kernel, invocations);
             add(
                 &mut total,
                 self.device.run(pipeline, &buffers, &push.bytes(), groups)?,

@@ -42,18 +42,27 @@ pub fn radical_base(base: u32) -> Base {
 /// be 2^16 at most.
 const ODOMETER_LIMIT: u32 = 255;
 
+/// Digits that its step looks at.
+const ODOMETER_DIGITS: usize = 5;
+
+/// Points that an odometer in this base passes at most: the largest power within its limits;
+/// `None` where it has none.
+pub(super) fn longest_odometer(base: u32) -> Option<u32> {
+    let powers = std::iter::successors(Some(base), |power| power.checked_mul(base));
+    let powers = powers.take_while(|power| *power <= ODOMETER_LIMIT);
+    powers.take(ODOMETER_DIGITS).last().filter(|_| base >= 3)
+}
+
 /// What the odometer in this base needs for windows of `window` indices; `None` for
 /// base 2, which has no use for it, and where no power of the base fits.
 #[must_use]
 pub fn odometer_base(base: u32, window: u32) -> Option<OdometerBase> {
-    let mut power = base;
-    let mut digits = 1;
-    while power < window {
-        power = power.checked_mul(base)?;
-        digits += 1;
-    }
-    if base < 3 || power > ODOMETER_LIMIT || digits > 5 {
+    if longest_odometer(base)? < window {
         return None;
+    }
+    let mut power = base;
+    while power < window {
+        power *= base;
     }
     let wide = u64::from(power);
     Some(OdometerBase {

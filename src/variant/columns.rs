@@ -1,6 +1,6 @@
 //! The words that tell a kernel what a column is.
 
-use super::bases::{odometer_base, radical_base};
+use super::bases::{longest_odometer, odometer_base, radical_base};
 use crate::interface::{Column, DigitScramble, Generator, NetScramble, column_kind, purpose};
 use crate::reference::hammersley::hammersley_start;
 use crate::reference::hash::seed as derived_seed;
@@ -106,16 +106,16 @@ pub(super) fn padded(mut words: Vec<u32>) -> Vec<u32> {
     words
 }
 
-/// Points that an invocation may make in a row: as many as the column's odometer allows,
-/// just below 3^5, 5^3 or 7^2; and so few of the costly kinds that the loops of four
+/// Points that an invocation may make in a row, a multiple of 8: as many as the column's
+/// odometer allows, just below 3^5, 5^3 or 7^2; and so few of the costly kinds that the loops of four
 /// columns stay below the 65,535 iterations after which llvmpipe ends an invocation.
 #[must_use]
 pub fn longest_run(column: &Column) -> u32 {
     match column {
-        Column::Radical(prime) => [240, 120, 48]
-            .into_iter()
-            .find(|&tile| odometer_base(*prime, tile).is_some())
-            .unwrap_or(16),
+        // Without one 16 points cost the same in any length.
+        Column::Radical(prime) => {
+            longest_odometer(*prime).map_or(16, |power| (power / 8 * 8).clamp(16, 240))
+        }
         // 50 rounds of Philox a value, 64 steps, or 32 steps of long division.
         Column::Sobol {
             scramble: NetScramble::Owen,

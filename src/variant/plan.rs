@@ -42,9 +42,12 @@ pub struct Plan {
     pub specializations: Vec<Vec<(u32, u32)>>,
     /// The table of columns, for kernels that read one.
     pub table: Option<Vec<u32>>,
-    /// Points of an invocation; 0 for the general kernel, which makes four words. Of estimates
-    /// those of a tile, of which an invocation sums some.
+    /// Points of an invocation in the dispatch where it makes most; 0 for the general kernel,
+    /// which makes four words. Of estimates those of a tile, of which an invocation sums some.
     pub tile: u32,
+    /// Points of an invocation in each dispatch, where one takes four columns of many; else
+    /// empty.
+    pub tiles: Vec<u32>,
 }
 
 /// Below this many words the general kernel starts sooner than a tile kernel, which is
@@ -122,6 +125,7 @@ pub(super) fn tabled(kernel: &'static Kernel, columns: &[Column], window: u32) -
         specializations: vec![values],
         table: Some(words.into_iter().flat_map(padded).collect()),
         tile: 0,
+        tiles: Vec::new(),
     }
 }
 
@@ -133,25 +137,30 @@ fn kinds(columns: &[Vec<u32>]) -> u32 {
 
 /// A kernel of tiles of these columns.
 pub(super) fn tiled(name: &str, columns: &[Column], cpu: bool) -> Plan {
-    // A GPU's lanes should write side by side; a CPU's run on by themselves, the longer
-    // the better.
-    let longest = columns.iter().map(longest_run).min();
-    let tile = if cpu { longest.unwrap_or(16) } else { 4 };
     let mut plan = Plan {
         kernel: kernel(name, family(columns)),
         specializations: Vec::new(),
         table: None,
-        tile,
+        tile: 0,
+        tiles: Vec::new(),
     };
     for part in columns.chunks(4) {
+        // A GPU's lanes should write side by side; a CPU's run on by themselves, the longer
+        // the better.
+        let longest = part.iter().map(longest_run).min();
+        let tile = if cpu { longest.unwrap_or(16) } else { 4 };
         let words: Vec<_> = part.iter().map(|&c| column_words(c, tile)).collect();
         let mut values = vec![(KINDS, kinds(&words))];
         for (index, words) in (0..).zip(words) {
             values.extend((16 + COLUMN_STRIDE * index..).zip(words));
         }
         plan.specializations.push(values);
+        plan.tiles.push(tile);
+        plan.tile = plan.tile.max(tile);
     }
-    plan.set("TILE", tile);
+    for part in 0..plan.tiles.len() {
+        plan.set_in(part, "TILE", plan.tiles[part]);
+    }
     plan.set("ROW", columns.len().div_ceil(4) as u32);
     for part in 0..plan.specializations.len() {
         plan.set_in(part, "PART", part as u32);

@@ -48,6 +48,8 @@ fn points_are_those_of_the_cpu() {
     assert_same(&desk, "vdc --count 1");
     assert_same(&desk, "halton --count 6 --dims 2");
     assert_same(&desk, "halton --count 1000 --dims 1024 --first 4294966296");
+    // A dispatch per four columns, each with runs of its own length.
+    assert_same(&desk, "halton --count 600011 --dims 12 --first 4294367285");
 }
 
 #[test]
