@@ -1,8 +1,10 @@
 //! The arguments.
 
+mod merge;
 mod study;
 mod values;
 
+pub use merge::MergeArgs;
 pub use study::{ConvergeArgs, EstimateArgs, IntegrandsArgs};
 pub use values::{Grid, Param};
 
@@ -37,6 +39,8 @@ pub enum Command {
     Devices(DevicesArgs),
     /// Make points, or samples of a map over them, and write them to a file.
     Generate(Box<GenerateArgs>),
+    /// Add estimates of several ranges exactly.
+    Merge(MergeArgs),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),
     /// List the integrands: parameters, dimensions, formula, integral, error of their terms.
