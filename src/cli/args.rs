@@ -10,6 +10,7 @@ pub use values::{Grid, Param};
 
 use super::guide;
 use clap::{Args, Parser, Subcommand};
+use corput::catalog::Shard;
 use std::path::PathBuf;
 use values::{cells, grid, param, whole};
 
@@ -39,7 +40,7 @@ pub enum Command {
     Devices(DevicesArgs),
     /// Make points, or samples of a map over them, and write them to a file.
     Generate(Box<GenerateArgs>),
-    /// Add estimates of several ranges exactly.
+    /// Check that a Zarr store is complete, or add estimates of several ranges exactly.
     Merge(MergeArgs),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),
@@ -221,10 +222,14 @@ pub struct GenerateArgs {
     /// Device by index or part of its name, or cpu for the reference.
     #[arg(long)]
     pub device: Option<String>,
-    /// npy, raw or csv; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
+    /// npy, raw, csv or zarr; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
     #[arg(long)]
     pub format: Option<String>,
-    /// The file; - is standard output.
+    /// Make share I of N, from 0, of a Zarr store's chunks: other machines make the others in
+    /// the same folder. Chunks that are there and whole are kept.
+    #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
+    pub shard: Option<Shard>,
+    /// The file, or the folder of a Zarr store; - is standard output.
     #[arg(long)]
     pub out: PathBuf,
 }

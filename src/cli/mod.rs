@@ -27,6 +27,7 @@ mod plot;
 mod points;
 mod progress;
 mod scene;
+mod store;
 mod strip;
 mod vectors;
 
