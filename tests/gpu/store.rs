@@ -10,6 +10,9 @@ mod refused;
 mod shards;
 #[path = "store/shares.rs"]
 mod shares;
+#[cfg(unix)]
+#[path = "store/slurm.rs"]
+mod slurm;
 #[path = "store/spec.rs"]
 mod spec;
 
