@@ -97,6 +97,21 @@ fn a_chunk_of_other_arguments_is_found() {
 }
 
 #[test]
+fn what_was_left_goes_once_the_store_is_complete() {
+    let desk = Desk::new();
+    desk.say(&format!("{LINE} --shard 0/3"));
+    let left = desk.path("s.zarr/corput/.0123456789abcdef.partial");
+    fs::write(&left, "half").expect("written");
+    desk.run("merge s.zarr").expect(1, &["2 of 3 chunks"]);
+    // Another process may still be writing it.
+    assert!(left.exists());
+    desk.say(&format!("{LINE} --shard 1/3"));
+    desk.say(&format!("{LINE} --shard 2/3"));
+    desk.merged("s.zarr");
+    assert!(!left.exists());
+}
+
+#[test]
 fn runs_of_chunks_are_named_together() {
     let desk = Desk::new();
     let line = "generate vdc --count 4294967296 --device cpu --out s.zarr --shard 1023/1024";
