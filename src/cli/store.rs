@@ -11,8 +11,11 @@ use corput::{Error, Result};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::ops::Range;
+use std::panic::resume_unwind;
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::mpsc::{SyncSender, sync_channel};
+use std::thread;
 
 /// The name of the format, and the ending that stands for it.
 const FORMAT: &str = "zarr";
@@ -73,40 +76,69 @@ pub fn run(args: &GenerateArgs, request: &Request) -> anyhow::Result<()> {
     Ok(maker.validated()?)
 }
 
-/// Makes those of the chunks that are not there as they should be.
+/// A chunk and its words.
+type Made = (u64, Vec<u32>);
+
+/// Makes those of the chunks that are not there as they should be. One is hashed and written
+/// while the next is made.
 fn fill(store: &Store, chunks: Range<u64>, engine: &mut dyn Engine, path: &Path) -> Result<()> {
+    let total = length(&chunks);
+    let kept = thread::scope(|scope| {
+        let (queue, made) = sync_channel(1);
+        let write = |(chunk, words): Made| store.put(chunk, &words);
+        let writer = scope.spawn(move || made.into_iter().try_for_each(write));
+        let kept = produce(store, chunks, engine, path, queue);
+        // A panic of the thread is a bug, and one here too.
+        let written = writer.join().unwrap_or_else(|panic| resume_unwind(panic));
+        written.and(kept)
+    })?;
+    if kept > 0 {
+        eprintln!("corput: {kept} of {total} chunks were there already, and whole");
+    }
+    Ok(())
+}
+
+/// Hands on the chunks that are to be written, and says how many are not.
+fn produce(
+    store: &Store,
+    chunks: Range<u64>,
+    engine: &mut dyn Engine,
+    path: &Path,
+    queue: SyncSender<Made>,
+) -> Result<u64> {
     let points = store.rows(chunks.start).start..store.rows(chunks.end - 1).end;
     let bar = progress::points(length(&points));
-    let total = chunks.end - chunks.start;
     let mut kept = 0;
     for chunk in chunks.clone() {
-        let stop = || {
-            let done = chunk - chunks.start;
-            interrupt::stop(done, total).map_err(|_| Error::Paused {
-                done,
-                total,
-                path: path.to_owned(),
-                fresh: false,
-            })
-        };
-        stop()?;
         let rows = store.rows(chunk);
+        let step = |words: u64| {
+            bar.inc(words / u64::from(store.layout().columns));
+            stop(chunk - chunks.start, length(&chunks), path)
+        };
+        step(0)?;
         if store.fault(chunk)?.is_none() {
             kept += 1;
             bar.inc(length(&rows));
             continue;
         }
-        let words = make(engine, &rows, &|words| {
-            bar.inc(words / u64::from(store.layout().columns));
-            stop()
-        })?;
-        store.put(chunk, &words)?;
+        let words = make(engine, &rows, &step)?;
+        if queue.send((chunk, words)).is_err() {
+            // The writer has met an error, which it returns.
+            break;
+        }
     }
     bar.finish_and_clear();
-    if kept > 0 {
-        eprintln!("corput: {kept} of {total} chunks were there already, and whole");
-    }
-    Ok(())
+    Ok(kept)
+}
+
+/// Stops where the user wants it to; what is done stays.
+fn stop(done: u64, total: u64, path: &Path) -> Result<()> {
+    interrupt::stop(done, total).map_err(|_| Error::Paused {
+        done,
+        total,
+        path: path.to_owned(),
+        fresh: false,
+    })
 }
 
 /// The words of consecutive points; `step` is told how many each piece of them has.
@@ -128,8 +160,8 @@ fn make(
     Ok(words)
 }
 
-fn length(rows: &Range<u64>) -> u64 {
-    rows.end - rows.start
+fn length(range: &Range<u64>) -> u64 {
+    range.end - range.start
 }
 
 /// What makes the array again, with nothing in it that differs between machines: no device in
