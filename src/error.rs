@@ -321,6 +321,20 @@ pub enum Error {
         /// Integrand, sampler and number of points.
         what: String,
     },
+    /// A store of which chunks are missing or damaged.
+    #[error(
+        "store {}: {lacking} of {total} chunks are missing or not what they were; run the shards that make them again, \
+         with the arguments of the first time",
+        path.display()
+    )]
+    Incomplete {
+        /// The store's folder.
+        path: PathBuf,
+        /// Chunks that it lacks.
+        lacking: u64,
+        /// Chunks that it must have.
+        total: u64,
+    },
     /// Report cards that differ.
     #[error(
         "{differ} exact rows differ, and {missing} are in one card alone: two drivers with the same version of corput and the same options have the same hashes"
@@ -409,6 +423,7 @@ impl Error {
             Self::CheckFailed { .. }
             | Self::CardsDiffer { .. }
             | Self::Slower { .. }
+            | Self::Incomplete { .. }
             | Self::NotFinite { .. }
             | Self::Unequal { .. } => 1,
             Self::ZeroCount { .. }

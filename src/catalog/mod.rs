@@ -9,6 +9,7 @@ mod request;
 mod sampler;
 mod scramble;
 mod sequence;
+mod shard;
 
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use guide::Guide;
@@ -21,6 +22,7 @@ pub use request::{Engine, Options, Output, Request, check_map};
 pub use sampler::Sampler;
 pub use scramble::{Order, SCRAMBLES, Scramble};
 pub use sequence::{SEQUENCES, Sequence};
+pub use shard::Shard;
 
 /// Where bits are promised to be the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

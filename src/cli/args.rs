@@ -1,13 +1,16 @@
 //! The arguments.
 
+mod merge;
 mod study;
 mod values;
 
+pub use merge::MergeArgs;
 pub use study::{ConvergeArgs, EstimateArgs, IntegrandsArgs};
 pub use values::{Grid, Param};
 
 use super::guide;
 use clap::{Args, Parser, Subcommand};
+use corput::catalog::Shard;
 use std::path::PathBuf;
 use values::{cells, grid, param, whole};
 
@@ -37,6 +40,8 @@ pub enum Command {
     Devices(DevicesArgs),
     /// Make points, or samples of a map over them, and write them to a file.
     Generate(Box<GenerateArgs>),
+    /// Check that a Zarr store is complete, or add estimates of several ranges exactly.
+    Merge(MergeArgs),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),
     /// List the integrands: parameters, dimensions, formula, integral, error of their terms.
@@ -217,10 +222,14 @@ pub struct GenerateArgs {
     /// Device by index or part of its name, or cpu for the reference.
     #[arg(long)]
     pub device: Option<String>,
-    /// npy, raw or csv; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
+    /// npy, raw, csv or zarr; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
     #[arg(long)]
     pub format: Option<String>,
-    /// The file; - is standard output.
+    /// Make share I of N, from 0, of a Zarr store's chunks: other machines make the others in
+    /// the same folder. Chunks that are there and whole are kept.
+    #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
+    pub shard: Option<Shard>,
+    /// The file, or the folder of a Zarr store; - is standard output.
     #[arg(long)]
     pub out: PathBuf,
 }

@@ -3,11 +3,13 @@
 use super::args::EstimateArgs;
 use super::{host, interrupt, pixels, print, progress};
 use corput::bulk;
-use corput::catalog::{Options, Problem, Raster, Request, Sampler, Scramble};
+use corput::catalog::{Options, Problem, Raster, Request, Sampler, Scramble, Shard};
 use corput::estimate::Estimate;
 use corput::interface::Column;
 use corput::kernels::Estimator;
+use corput::{Error, Result};
 use serde_json::{Map, Value, json};
+use std::ops::Range;
 use std::time::Instant;
 
 pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
@@ -25,7 +27,8 @@ pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
         return pixels::run(args, &Raster::new(&problem, &options, size)?, &request);
     }
     pixels::refuse(args)?;
-    let result = made(args, &problem, &request)?;
+    let points = share(args.shard.unwrap_or(Shard::WHOLE), args.count)?;
+    let result = made(args, &problem, &request, points)?;
     if args.json {
         let document = document(&problem, &request, &result);
         print(&serde_json::to_string_pretty(&document)?);
@@ -47,8 +50,23 @@ fn options(args: &EstimateArgs, sampler: Sampler, problem: &Problem) -> Options 
     }
 }
 
+/// The points of a shard, counted from the first that was asked for.
+fn share(shard: Shard, count: u64) -> Result<Range<u64>> {
+    let points = shard.of(count);
+    if points.is_empty() {
+        return Err(Error::Arguments {
+            asked: format!("shard {shard} of {count} points"),
+            limit: "it has none".into(),
+            remedy: format!("cut them into at most {count} shards"),
+        });
+    }
+    Ok(points)
+}
+
 /// An estimate, and what made it.
 struct Made {
+    /// Its points, counted from the request's first.
+    points: Range<u64>,
     estimate: Estimate,
     device: String,
     kernel: Option<&'static str>,
@@ -56,12 +74,19 @@ struct Made {
     total_ms: f64,
 }
 
-fn made(args: &EstimateArgs, problem: &Problem, request: &Request) -> anyhow::Result<Made> {
+fn made(
+    args: &EstimateArgs,
+    problem: &Problem,
+    request: &Request,
+    points: Range<u64>,
+) -> anyhow::Result<Made> {
+    let count = points.end - points.start;
     let asked = host::asked(args.device.as_deref());
     if host::is_cpu(asked.as_deref()) {
         let begun = Instant::now();
-        let estimate = bulk::estimate(problem, request, 0, request.count)?;
+        let estimate = bulk::estimate(problem, request, points.start, count)?;
         return Ok(Made {
+            points,
             estimate,
             device: "cpu".to_owned(),
             kernel: None,
@@ -71,17 +96,18 @@ fn made(args: &EstimateArgs, problem: &Problem, request: &Request) -> anyhow::Re
     }
     let device = host::open(args.device.as_deref())?;
     let mut estimator = Estimator::new(&device, problem, request)?;
-    let bar = progress::points(request.count);
+    let bar = progress::points(count);
     interrupt::clean_up();
     let begun = Instant::now();
-    let (estimate, timing) = estimator.run(0, request.count, &mut |done| {
+    let (estimate, timing) = estimator.run(points.start, count, &mut |done| {
         bar.set_position(done);
-        interrupt::stop(done, request.count)
+        interrupt::stop(done, count)
     })?;
     let total_ms = begun.elapsed().as_secs_f64() * 1e3;
     bar.finish_and_clear();
     host::validated(device.instance())?;
     Ok(Made {
+        points,
         estimate,
         device: host::line(device.info()),
         kernel: Some(estimator.kernel_name()),
@@ -104,17 +130,18 @@ fn sampler(request: &Request) -> String {
 }
 
 /// What is estimated, by what points.
-pub fn heading(problem: &Problem, request: &Request, count: u64) -> String {
+pub fn heading(problem: &Problem, request: &Request, points: Range<u64>) -> String {
     format!(
-        "{}{} in {} dimension{}, {count} points of {} from {} on",
+        "{}{} in {} dimension{}, {} points of {} from {} on",
         problem.integrand().name,
         problem
             .estimator()
             .map_or(String::new(), |name| format!(" by {name}")),
         problem.dimensions(),
         if problem.dimensions() == 1 { "" } else { "s" },
+        points.end - points.start,
         sampler(request),
-        request.first,
+        request.first + points.start,
     )
 }
 
@@ -122,7 +149,7 @@ fn text(problem: &Problem, request: &Request, made: &Made) -> String {
     let estimate = &made.estimate;
     let mean = estimate.mean().unwrap_or(f64::NAN);
     let mut lines = vec![
-        heading(problem, request, estimate.count()),
+        heading(problem, request, made.points.clone()),
         format!("mean            {mean}"),
         format!("truth           {}", problem.truth()),
         format!("error           {:+.3e}", mean - problem.truth()),
@@ -186,23 +213,40 @@ pub fn about(problem: &Problem, request: &Request) -> Map<String, Value> {
     about.as_object().cloned().unwrap_or_default()
 }
 
-fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
-    let estimate = &made.estimate;
-    let independent = independent(request);
+/// What exact sums say of an integral, in the same words whoever added them.
+pub fn numbers(estimate: &Estimate, independent: bool, truth: f64) -> Map<String, Value> {
     let mean = estimate.mean();
-    let mut document = about(problem, request);
-    let result = json!({
+    let numbers = json!({
         "count": estimate.count(),
         "mean": mean,
         "variance": estimate.variance(),
         "independent": independent,
         "standard_error": estimate.standard_error().filter(|_| independent),
-        "truth": problem.truth(),
-        "error": mean.map(|mean| mean - problem.truth()),
-        "term_error": problem.integrand().error * problem.coefficients().peak,
+        "truth": truth,
+        "error": mean.map(|mean| mean - truth),
         "sum": estimate.sum().to_string(),
         "sum_of_squares": estimate.squares().to_string(),
         "scale": estimate.scale(),
+    });
+    numbers.as_object().cloned().unwrap_or_default()
+}
+
+fn document(problem: &Problem, request: &Request, made: &Made) -> Value {
+    let mut document = about(problem, request);
+    document.extend(numbers(
+        &made.estimate,
+        independent(request),
+        problem.truth(),
+    ));
+    let first = request.first + made.points.start;
+    // Points of a set depend on how many it has, those of a sequence on their index alone.
+    let set = request.sequence.options().contains(&"--total");
+    let result = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "start": first,
+        "ranges": [{ "first": first, "count": made.estimate.count() }],
+        "total": set.then_some(request.first + request.count),
+        "term_error": problem.integrand().error * problem.coefficients().peak,
         "device": made.device,
         "kernel": made.kernel,
         "device_ms": made.device_ms,

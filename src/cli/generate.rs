@@ -1,7 +1,7 @@
 //! `corput generate`.
 
 use super::args::GenerateArgs;
-use super::{guide, host, interrupt, maps, mask, points, progress};
+use super::{guide, host, interrupt, maps, mask, points, progress, store};
 use corput::bulk::Reference;
 use corput::catalog::{Engine, Options, Order, Output, Profile, Request, Scramble, Sequence};
 use corput::kernels::Generator;
@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use std::sync::Arc;
 
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
+    let in_store = store::asked(args)?;
     match args.sequence.as_str() {
         mask::NAME => return mask::run(args),
         points::NAME => return points::run(args),
@@ -21,37 +22,64 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     for warning in &request.warnings {
         eprintln!("corput: warning: {warning}");
     }
+    if in_store {
+        return store::run(args, &request);
+    }
     let (target, format) = output(args)?;
-    let layout = Layout {
+    let layout = layout(&request);
+    let mut maker = Maker::new(&request, args.device.as_deref())?;
+    interrupt::clean_up();
+    let sink = Sink::open(
+        &target,
+        format,
+        layout,
+        arguments(args, request.scramble, maker.device.as_ref()),
+    )?;
+    stream(maker.engine.as_mut(), layout, sink)?;
+    Ok(maker.validated()?)
+}
+
+/// Shape and type of the points of a request.
+pub fn layout(request: &Request) -> Layout {
+    Layout {
         rows: request.count,
         columns: request.words_per_point(),
         element: match request.output {
             Output::Fractions => Element::U32,
             Output::Floats => Element::F32,
         },
-    };
-    let asked = host::asked(args.device.as_deref());
-    let mut device = None;
-    let mut engine: Box<dyn Engine> = if host::is_cpu(asked.as_deref()) {
-        Box::new(Reference::new(&request))
-    } else {
-        let opened = host::open(args.device.as_deref())?;
-        let generator = Generator::new(&opened, &request)?;
-        device = Some(opened);
-        Box::new(generator)
-    };
-    interrupt::clean_up();
-    let sink = Sink::open(
-        &target,
-        format,
-        layout,
-        arguments(args, request.scramble, device.as_ref()),
-    )?;
-    stream(engine.as_mut(), layout, sink)?;
-    if let Some(device) = &device {
-        host::validated(device.instance())?;
     }
-    Ok(())
+}
+
+/// What makes points, and the device that it runs on.
+pub struct Maker {
+    pub engine: Box<dyn Engine>,
+    /// None for the CPU.
+    pub device: Option<Arc<Device>>,
+}
+
+impl Maker {
+    /// That of a request, on the device asked for.
+    pub fn new(request: &Request, device: Option<&str>) -> Result<Self> {
+        if host::is_cpu(host::asked(device).as_deref()) {
+            return Ok(Self {
+                engine: Box::new(Reference::new(request)),
+                device: None,
+            });
+        }
+        let device = host::open(device)?;
+        Ok(Self {
+            engine: Box::new(Generator::new(&device, request)?),
+            device: Some(device),
+        })
+    }
+
+    /// Fails where the validation layer has found something.
+    pub fn validated(&self) -> Result<()> {
+        self.device
+            .as_ref()
+            .map_or(Ok(()), |device| host::validated(device.instance()))
+    }
 }
 
 /// Where the points go, and as what.

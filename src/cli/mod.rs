@@ -21,11 +21,13 @@ mod interrupt;
 mod maps;
 mod mask;
 mod measure;
+mod merge;
 mod pixels;
 mod plot;
 mod points;
 mod progress;
 mod scene;
+mod store;
 mod strip;
 mod vectors;
 
@@ -44,6 +46,7 @@ pub fn main() -> ExitCode {
     let result = match &cli.command {
         Command::Devices(args) => devices::run(args),
         Command::Generate(args) => generate::run(args),
+        Command::Merge(args) => merge::run(args),
         Command::Maps(args) => maps::run(args),
         Command::Integrands(args) => integrands::run(args),
         Command::Estimate(args) => estimate::run(args),

@@ -154,7 +154,7 @@ fn text(raster: &Raster, request: &Request, made: &Made, truths: &[f64]) -> Resu
     let largest = truths.iter().copied().fold(0.0, f64::max);
     let pixel_us = 1e3 * made.total_ms / f64::from(raster.pixels());
     let mut lines = vec![
-        heading(raster.problem(), request, raster.count()),
+        heading(raster.problem(), request, 0..raster.count()),
         format!("pixels          {width} x {height}, {}", points(raster)?),
         format!("largest truth   {largest}"),
         format!("RMS error       {:.3e}", rms(&made.pixels, truths)),

@@ -19,6 +19,13 @@ pub fn cells(total: u64) -> ProgressBar {
     bar
 }
 
+/// A bar over the chunks of a store.
+pub fn chunks(total: u64) -> ProgressBar {
+    let bar = bar(total);
+    bar.set_style(style("{bar:32} {human_pos}/{human_len} chunks, {eta} left"));
+    bar
+}
+
 /// A bar over one step after another, which [`step`] tells it.
 pub fn steps() -> ProgressBar {
     let bar = bar(0);

@@ -49,6 +49,22 @@ impl Estimate {
         }
     }
 
+    /// From sums that were written down; `None` where no terms have them: more than 2^62 of them,
+    /// sums of none, squares below what Cauchy and Schwarz allow, or a scale beyond 4,096.
+    #[must_use]
+    pub fn from_sums(count: u64, scale: i32, sum: i128, squares: U256) -> Option<Self> {
+        let least = U256::square(sum.unsigned_abs());
+        squares.checked_mul(count)?.checked_sub(least)?;
+        let none = count == 0 && squares != U256::default();
+        let possible = count <= MOST && !none && scale.unsigned_abs() <= 4096;
+        possible.then_some(Self {
+            count,
+            scale,
+            sum,
+            squares,
+        })
+    }
+
     /// Both together; `None` for sums of different scales, or of more than 2^62 terms.
     #[must_use]
     pub fn merge(self, other: Self) -> Option<Self> {

@@ -25,6 +25,18 @@ impl U256 {
         Self([x as u64, (x >> 64) as u64, 0, 0])
     }
 
+    /// From decimal digits; `None` of anything else, and from 2^256 on.
+    #[must_use]
+    pub fn from_decimal(text: &str) -> Option<Self> {
+        let mut digits = text.bytes().peekable();
+        digits.peek()?;
+        digits.try_fold(Self::default(), |sum, digit| {
+            let digit = digit.is_ascii_digit().then(|| digit - b'0')?;
+            sum.checked_mul(10)?
+                .checked_add(Self::from_u128(digit.into()))
+        })
+    }
+
     /// The sum, if it is below 2^256.
     #[must_use]
     pub fn checked_add(self, other: Self) -> Option<Self> {

@@ -62,7 +62,7 @@ impl Format {
                 .and_then(|e| nearest(e, endings))
                 .map(|e| format!(".{e}")),
             name,
-            known: "the file endings .npy, .raw, .bin and .csv; or give --format npy, raw or csv"
+            known: "the file endings .npy, .raw, .bin, .csv and .zarr; or give --format npy, raw, csv or zarr"
                 .to_owned(),
         })
     }
@@ -79,7 +79,7 @@ impl FromStr for Format {
             kind: "format",
             name: name.to_owned(),
             nearest: nearest(name, FORMATS.iter().map(|row| row.1)).map(str::to_owned),
-            known: "npy, raw, csv".to_owned(),
+            known: "npy, raw, csv, zarr".to_owned(),
         })
     }
 }

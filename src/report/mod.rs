@@ -1,5 +1,5 @@
 //! Results to bytes: `.npy`, raw with a JSON sidecar, and CSV, into a file or
-//! standard output; and `.npy` files back to points.
+//! standard output, Zarr stores ([`zarr`]); and `.npy` files back to points.
 //!
 //! A [`Sink`] takes rows of 32-bit words in chunks of any size. A file is
 //! written beside its final name and renamed at the end, so a run that dies
@@ -27,6 +27,7 @@ mod page;
 mod place;
 mod read;
 mod sink;
+pub mod zarr;
 
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
 pub use escape::escape;

@@ -219,7 +219,7 @@ fn folder_of(file: &Path) -> &Path {
 
 /// Makes a rename last: it is an entry of the folder.
 #[cfg(unix)]
-fn sync_folder(file: &Path) -> io::Result<()> {
+pub(super) fn sync_folder(file: &Path) -> io::Result<()> {
     match File::open(folder_of(file)).and_then(|f| f.sync_all()) {
         // Some network and FUSE file systems cannot do this; the rename stands.
         Err(e)
@@ -237,7 +237,7 @@ fn sync_folder(file: &Path) -> io::Result<()> {
 }
 
 #[cfg(not(unix))]
-fn sync_folder(_: &Path) -> io::Result<()> {
+pub(super) fn sync_folder(_: &Path) -> io::Result<()> {
     Ok(())
 }
 

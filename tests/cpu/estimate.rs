@@ -219,6 +219,55 @@ fn wide_integers_multiply_and_print() {
     );
 }
 
+#[test]
+fn wide_integers_read_what_they_print() {
+    let most = U256::new([u64::MAX; 4]);
+    for x in [U256::default(), U256::square(u128::MAX), most] {
+        assert_eq!(U256::from_decimal(&x.to_string()), Some(x));
+    }
+    // One more than the largest is too much, in the last step or before it.
+    let over = most.to_string().replace("39935", "39936");
+    assert_eq!(over.len(), 78);
+    for text in [
+        &over,
+        &format!("{most}0"),
+        "",
+        "-1",
+        "+1",
+        "1e3",
+        " 1",
+        "0x1",
+    ] {
+        assert_eq!(U256::from_decimal(text), None, "{text}");
+    }
+}
+
+#[test]
+fn written_sums_are_those_of_some_terms() {
+    let found = Estimate::from_sums(2, 64, -6, U256::from_u128(20));
+    let found = found.unwrap_or_else(|| panic!("2 and 4, negated"));
+    assert_eq!(
+        (found.mean(), found.variance()),
+        (Some(-3.0 / 2f64.powi(64)), Some(2.0 / 2f64.powi(128)))
+    );
+    // The bound of Cauchy and Schwarz itself, and one below it.
+    assert!(Estimate::from_sums(2, 64, 6, U256::from_u128(18)).is_some());
+    assert_eq!(Estimate::from_sums(2, 64, 6, U256::from_u128(17)), None);
+    assert!(Estimate::from_sums(0, 64, 0, U256::default()).is_some());
+    assert_eq!(Estimate::from_sums(0, 64, 0, U256::from_u128(1)), None);
+    assert_eq!(Estimate::from_sums(0, 64, 1, U256::default()), None);
+    assert_eq!(Estimate::from_sums(1, 4097, 1, U256::square(1)), None);
+    assert_eq!(Estimate::from_sums(1, i32::MIN, 1, U256::square(1)), None);
+    assert_eq!(
+        Estimate::from_sums((1 << 62) + 1, 64, 1, U256::square(1)),
+        None
+    );
+    assert_eq!(
+        Estimate::from_sums(1, 64, i128::MIN, U256::square(1 << 126)),
+        None
+    );
+}
+
 /// The first 2^24 points of Sobol's first dimension are the multiples of 2^-24.
 #[test]
 fn x_squared_over_a_grid_is_its_closed_form() {

@@ -2,6 +2,7 @@
 
 use super::values::{size, whole};
 use clap::Args;
+use corput::catalog::Shard;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -86,6 +87,14 @@ pub struct EstimateArgs {
     /// Index of the first point.
     #[arg(long, visible_alias = "first", value_parser = whole, allow_hyphen_values = true, default_value = "0")]
     pub start: u64,
+    /// Only share I of N of the points, from 0: `corput merge` adds what --json prints of all.
+    #[arg(
+        long,
+        value_name = "I/N",
+        allow_hyphen_values = true,
+        conflicts_with = "pixels"
+    )]
+    pub shard: Option<Shard>,
     /// A picture of so many pixels, as 64x48, with --count points for each: of pixel-edge and
     /// soft-shadow.
     #[arg(long, value_parser = size)]

@@ -1,0 +1,188 @@
+//! `corput generate` into a Zarr store: the chunks of a shard, those that are there kept.
+
+use super::args::GenerateArgs;
+use super::generate::{Maker, arguments, layout};
+use super::{interrupt, mask, points, progress};
+use corput::catalog::{Engine, Profile, Request, Shard};
+use corput::report::hexadecimal;
+use corput::report::zarr::Store;
+use corput::vulkan::Device;
+use corput::{Error, Result};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+use std::ops::Range;
+use std::panic::resume_unwind;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::mpsc::{SyncSender, sync_channel};
+use std::thread;
+
+/// The name of the format, and the ending that stands for it.
+const FORMAT: &str = "zarr";
+
+/// Whether a store is asked for. Refuses what only stores have, and what no store can have.
+pub fn asked(args: &GenerateArgs) -> Result<bool> {
+    let ending = || {
+        let ending = args.out.extension();
+        ending.is_some_and(|ending| ending.eq_ignore_ascii_case(FORMAT))
+    };
+    let refused = |asked: String, limit: &str, remedy: &str| {
+        Err(Error::Arguments {
+            asked,
+            limit: limit.to_owned(),
+            remedy: remedy.to_owned(),
+        })
+    };
+    let store = args
+        .format
+        .as_ref()
+        .map_or_else(ending, |name| name == FORMAT);
+    let whole = [points::NAME, mask::NAME].contains(&args.sequence.as_str());
+    match args.shard {
+        _ if store && whole => refused(
+            format!("{} as a Zarr store", args.sequence),
+            "its points are made all at once, on one machine",
+            "write a file with --out p.npy",
+        ),
+        _ if store && args.out.as_os_str() == "-" => refused(
+            "a Zarr store on standard output".to_owned(),
+            "it is a folder",
+            "name one, as --out store.zarr",
+        ),
+        Some(shard) if !store => refused(
+            format!("--shard {shard} into {}", args.out.display()),
+            "several machines can write one Zarr store, and no other format",
+            "give --out store.zarr, or drop --shard",
+        ),
+        _ => Ok(store),
+    }
+}
+
+pub fn run(args: &GenerateArgs, request: &Request) -> anyhow::Result<()> {
+    let mut maker = Maker::new(request, args.device.as_deref())?;
+    let origin = origin(args, request, maker.device.as_ref())?;
+    interrupt::clean_up();
+    let store = Store::create(&args.out, layout(request), &origin)?;
+    let shard = args.shard.unwrap_or(Shard::WHOLE);
+    let chunks = shard.of(store.chunks());
+    if chunks.is_empty() {
+        eprintln!(
+            "corput: shard {shard} is empty: the store has {} chunks, which other shards make",
+            store.chunks()
+        );
+    } else {
+        fill(&store, chunks, maker.engine.as_mut(), &args.out)?;
+    }
+    Ok(maker.validated()?)
+}
+
+/// A chunk and its words.
+type Made = (u64, Vec<u32>);
+
+/// Makes those of the chunks that are not there as they should be. One is hashed and written
+/// while the next is made.
+fn fill(store: &Store, chunks: Range<u64>, engine: &mut dyn Engine, path: &Path) -> Result<()> {
+    let total = length(&chunks);
+    let kept = thread::scope(|scope| {
+        let (queue, made) = sync_channel(1);
+        let write = |(chunk, words): Made| store.put(chunk, &words);
+        let writer = scope.spawn(move || made.into_iter().try_for_each(write));
+        let kept = produce(store, chunks, engine, path, queue);
+        // A panic of the thread is a bug, and one here too.
+        let written = writer.join().unwrap_or_else(|panic| resume_unwind(panic));
+        written.and(kept)
+    })?;
+    if kept > 0 {
+        eprintln!("corput: {kept} of {total} chunks were there already, and whole");
+    }
+    Ok(())
+}
+
+/// Hands on the chunks that are to be written, and says how many are not.
+fn produce(
+    store: &Store,
+    chunks: Range<u64>,
+    engine: &mut dyn Engine,
+    path: &Path,
+    queue: SyncSender<Made>,
+) -> Result<u64> {
+    let points = store.rows(chunks.start).start..store.rows(chunks.end - 1).end;
+    let bar = progress::points(length(&points));
+    let mut kept = 0;
+    for chunk in chunks.clone() {
+        let rows = store.rows(chunk);
+        let step = |words: u64| {
+            bar.inc(words / u64::from(store.layout().columns));
+            stop(chunk - chunks.start, length(&chunks), path)
+        };
+        step(0)?;
+        if store.fault(chunk)?.is_none() {
+            kept += 1;
+            bar.inc(length(&rows));
+            continue;
+        }
+        let words = make(engine, &rows, &step)?;
+        if queue.send((chunk, words)).is_err() {
+            // The writer has met an error, which it returns.
+            break;
+        }
+    }
+    bar.finish_and_clear();
+    Ok(kept)
+}
+
+/// Stops where the user wants it to; what is done stays.
+fn stop(done: u64, total: u64, path: &Path) -> Result<()> {
+    interrupt::stop(done, total).map_err(|_| Error::Paused {
+        done,
+        total,
+        path: path.to_owned(),
+        fresh: false,
+    })
+}
+
+/// The words of consecutive points; `step` is told how many each piece of them has.
+fn make(
+    engine: &mut dyn Engine,
+    rows: &Range<u64>,
+    step: &dyn Fn(u64) -> Result<()>,
+) -> Result<Vec<u32>> {
+    let mut words = Vec::new();
+    let mut done = rows.start;
+    while done < rows.end {
+        let points = engine.chunk().clamp(1, rows.end - done);
+        engine.make(done, points, &mut |piece| {
+            words.extend_from_slice(piece);
+            step(piece.len() as u64)
+        })?;
+        done += points;
+    }
+    Ok(words)
+}
+
+fn length(range: &Range<u64>) -> u64 {
+    range.end - range.start
+}
+
+/// What makes the array again, with nothing in it that differs between machines: no device in
+/// the exact profile, and a picture by what it holds.
+fn origin(args: &GenerateArgs, request: &Request, device: Option<&Arc<Device>>) -> Result<Value> {
+    let mut arguments = arguments(args, request.scramble, device);
+    if let Some(members) = arguments.as_object_mut() {
+        if request.profile == Profile::Exact {
+            members.remove("device");
+        }
+        if let Some(path) = &args.env {
+            let picture = std::fs::read(path).map_err(|source| Error::Io {
+                action: "read",
+                path: path.clone(),
+                source,
+            })?;
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let sha256 = hexadecimal(&Sha256::digest(picture));
+            members.insert("env".into(), json!(name));
+            members.insert("env_sha256".into(), json!(sha256));
+        }
+    }
+    Ok(json!({ "version": env!("CARGO_PKG_VERSION"), "arguments": arguments }))
+}

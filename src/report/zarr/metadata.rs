@@ -1,0 +1,127 @@
+//! `zarr.json`: what an array is, in the words of Zarr v3.
+
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::Path;
+
+use serde_json::{Map, Value, json};
+
+use crate::error::{Error, Result};
+use crate::report::place::failed;
+use crate::report::{Element, Layout};
+
+/// Bytes of a chunk at most, unless one row has more.
+const CHUNK_BYTES: u64 = 1 << 24;
+
+/// Bytes of a document at most: a store's own have a few thousand.
+const DOCUMENT_BYTES: u64 = 1 << 20;
+
+/// Rows of a chunk: the largest power of two within 16 MiB, at least one. Only the number of
+/// columns counts, so that arrays of other lengths share their first chunks.
+pub(super) fn chunk_rows(columns: u32) -> u64 {
+    let rows = CHUNK_BYTES / (4 * u64::from(columns.max(1)));
+    1 << rows.max(1).ilog2()
+}
+
+/// The document of an array; `origin` says what makes it.
+pub(super) fn document(layout: &Layout, origin: &Value) -> Value {
+    let (data_type, fill) = match layout.element {
+        Element::U32 => ("uint32", json!(0)),
+        Element::F32 => ("float32", json!(0.0)),
+    };
+    json!({
+        "zarr_format": 3,
+        "node_type": "array",
+        "shape": [layout.rows, layout.columns],
+        "data_type": data_type,
+        "chunk_grid": {
+            "name": "regular",
+            "configuration": { "chunk_shape": [chunk_rows(layout.columns), layout.columns] },
+        },
+        "chunk_key_encoding": { "name": "default", "configuration": { "separator": "/" } },
+        "fill_value": fill,
+        "codecs": [{ "name": "bytes", "configuration": { "endian": "little" } }],
+        "attributes": { "corput": origin },
+    })
+}
+
+/// Layout and origin of a document, if this module writes that for them.
+pub(super) fn parse(document: &Value) -> Result<(Layout, Value), String> {
+    let number = |axis: usize| document["shape"][axis].as_u64();
+    let columns = number(1).and_then(|columns| u32::try_from(columns).ok());
+    let (Some(rows), Some(columns)) = (number(0), columns) else {
+        return Err("its shape is not that of rows and columns".to_owned());
+    };
+    let element = match document["data_type"].as_str() {
+        Some("uint32") => Element::U32,
+        Some("float32") => Element::F32,
+        _ => return Err("its data_type is neither uint32 nor float32".to_owned()),
+    };
+    let layout = Layout {
+        rows,
+        columns,
+        element,
+    };
+    layout.words().map_err(|error| error.to_string())?;
+    let origin = document["attributes"]["corput"].clone();
+    if !origin.is_object() {
+        return Err("it has no attribute `corput`, so something else wrote it".to_owned());
+    }
+    match difference(&self::document(&layout, &origin), document) {
+        None => Ok((layout, origin)),
+        Some(found) => Err(found),
+    }
+}
+
+/// The first member in which a document on the disk is not the one that is wanted. Attributes
+/// that others have added do not count.
+pub(super) fn difference(wanted: &Value, found: &Value) -> Option<String> {
+    let mut found = found.clone();
+    if let Some(attributes) = found.get_mut("attributes").and_then(Value::as_object_mut) {
+        attributes.retain(|name, _| name == "corput");
+    }
+    differing(wanted, &found, "")
+}
+
+fn differing(wanted: &Value, found: &Value, path: &str) -> Option<String> {
+    if let (Value::Object(wanted), Value::Object(found)) = (wanted, found) {
+        let null = Value::Null;
+        let member = |map: &Map<String, Value>, name: &String| map.get(name).cloned();
+        let names = wanted.keys().chain(found.keys());
+        return names.into_iter().find_map(|name| {
+            let path = match path {
+                "" => name.clone(),
+                path => format!("{path}.{name}"),
+            };
+            let wanted = member(wanted, name).unwrap_or(null.clone());
+            differing(&wanted, &member(found, name).unwrap_or(null.clone()), &path)
+        });
+    }
+    (wanted != found).then(|| format!("{path} is {found} there, and {wanted} is wanted"))
+}
+
+/// A JSON document of a store; `None` where there is no such file.
+pub(super) fn read(path: &Path) -> Result<Option<Value>> {
+    let file = match File::open(path) {
+        Ok(file) => file,
+        Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
+            return Ok(None);
+        }
+        Err(error) => return Err(failed("open", path, error)),
+    };
+    let mut text = Vec::new();
+    file.take(DOCUMENT_BYTES)
+        .read_to_end(&mut text)
+        .map_err(|error| failed("read", path, error))?;
+    let parsed = serde_json::from_slice(&text);
+    parsed.map(Some).map_err(|error| Error::Document {
+        path: path.to_owned(),
+        problem: format!("it is no JSON document ({error})"),
+        remedy: "remove it, and run again what made the store",
+    })
+}
+
+/// A document as it is written.
+pub(super) fn text(document: &Value) -> Vec<u8> {
+    format!("{document:#}\n").into_bytes()
+}

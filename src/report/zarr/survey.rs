@@ -1,0 +1,115 @@
+//! Whether a store is whole, and what its array hashes to.
+
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::ops::Range;
+
+use serde_json::json;
+use sha2::{Digest, Sha256};
+
+use super::fault::{Fault, Record};
+use super::{Store, aside, metadata};
+use crate::error::Result;
+use crate::report::hexadecimal;
+use crate::report::place::failed;
+
+/// Bytes that are read and hashed at a time.
+const BLOCK: usize = 1 << 20;
+
+/// What was found in a store.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Survey {
+    /// Chunks with the same fault, in order; none of a store that is whole.
+    pub faults: Vec<(Range<u64>, Fault)>,
+    /// SHA-256 of the array's bytes, row after row without padding, which a raw file of the
+    /// same points has too. Of a store with faults it means nothing.
+    pub sha256: String,
+}
+
+impl Survey {
+    /// Chunks with a fault.
+    #[must_use]
+    pub fn lacking(&self) -> u64 {
+        let lengths = self.faults.iter().map(|(run, _)| run.end - run.start);
+        lengths.sum()
+    }
+}
+
+impl Store {
+    /// Reads every chunk and compares it with its record; `step` is told how many are done. A
+    /// store without faults then has the record of the whole, and nothing that is unfinished.
+    ///
+    /// # Errors
+    ///
+    /// [`crate::Error::Io`] if something cannot be read or written, and those of `step`.
+    pub fn survey(&self, step: &mut dyn FnMut(u64) -> Result<()>) -> Result<Survey> {
+        let mut whole = Sha256::new();
+        let mut faults: Vec<(Range<u64>, Fault)> = Vec::new();
+        for chunk in 0..self.chunks() {
+            if let Some(fault) = self.compare(chunk, &mut |bytes| whole.update(bytes))? {
+                match faults.last_mut() {
+                    Some((run, last)) if run.end == chunk && *last == fault => run.end += 1,
+                    _ => faults.push((chunk..chunk + 1, fault)),
+                }
+            }
+            step(chunk + 1)?;
+        }
+        let sha256 = hexadecimal(&whole.finalize());
+        if faults.is_empty() {
+            let record = json!({ "array": self.array, "sha256": sha256 });
+            let path = self.records().join("array.json");
+            aside::save(&self.records(), &path, &metadata::text(&record))?;
+            aside::sweep(&self.records())?;
+        }
+        Ok(Survey { faults, sha256 })
+    }
+
+    /// What is wrong with a chunk, if anything is.
+    ///
+    /// # Errors
+    ///
+    /// [`crate::Error::Io`] if it is there and cannot be read.
+    pub fn fault(&self, chunk: u64) -> Result<Option<Fault>> {
+        self.compare(chunk, &mut |_| {})
+    }
+
+    /// The same, with the bytes of the chunk's rows handed on.
+    fn compare(&self, chunk: u64, take: &mut dyn FnMut(&[u8])) -> Result<Option<Fault>> {
+        let path = self.chunk(chunk);
+        let mut file = match File::open(&path) {
+            Ok(file) => file,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Some(Fault::Missing)),
+            Err(error) => return Err(failed("open", &path, error)),
+        };
+        let record = metadata::read(&self.record(chunk)).ok().flatten();
+        let Some(record) = record.as_ref().and_then(Record::parse) else {
+            return Ok(Some(Fault::Unrecorded));
+        };
+        if record.array != self.array {
+            return Ok(Some(Fault::Foreign));
+        }
+        let found = file.metadata().map(|found| found.len());
+        let found = found.map_err(|error| failed("read", &path, error))?;
+        if found != self.chunk_bytes() {
+            return Ok(Some(Fault::Length { found }));
+        }
+        let rows = self.rows(chunk);
+        let mut left = (rows.end - rows.start) * self.row_bytes();
+        let mut hash = Sha256::new();
+        let mut block = vec![0; BLOCK];
+        loop {
+            let read = match file.read(&mut block) {
+                Ok(0) => break,
+                Ok(read) => read,
+                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+                Err(error) => return Err(failed("read", &path, error)),
+            };
+            hash.update(&block[..read]);
+            let shown = left.min(read as u64);
+            take(&block[..shown as usize]);
+            left -= shown;
+        }
+        let damaged = hexadecimal(&hash.finalize()) != record.sha256;
+        Ok(damaged.then_some(Fault::Damaged))
+    }
+}

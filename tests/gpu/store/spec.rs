@@ -1,0 +1,182 @@
+//! Stores against the specification of Zarr v3, by a reader of it that is written here, and by
+//! zarr-python.
+
+use super::{Desk, raw_hash};
+use serde_json::{Value, json};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// The bytes of a two-dimensional array in C order, as the specification reads them: keys by
+/// the default encoding, chunks of a regular grid, those that overhang cropped, a missing one
+/// all fill value.
+fn read(store: &Path) -> Vec<u8> {
+    let text = fs::read(store.join("zarr.json")).expect("metadata");
+    let meta: Value = serde_json::from_slice(&text).expect("JSON");
+    assert_eq!(meta["zarr_format"], 3);
+    assert_eq!(meta["node_type"], "array");
+    assert_eq!(meta["chunk_grid"]["name"], "regular");
+    assert_eq!(meta["chunk_key_encoding"]["name"], "default");
+    assert_eq!(
+        meta["chunk_key_encoding"]["configuration"]["separator"],
+        "/"
+    );
+    let codec = json!([{ "name": "bytes", "configuration": { "endian": "little" } }]);
+    assert_eq!(meta["codecs"], codec);
+    let pair = |value: &Value| -> [usize; 2] {
+        assert_eq!(value.as_array().map(Vec::len), Some(2), "{value}");
+        [0, 1].map(|axis| value[axis].as_u64().expect("a number") as usize)
+    };
+    let shape = pair(&meta["shape"]);
+    let chunk = pair(&meta["chunk_grid"]["configuration"]["chunk_shape"]);
+    let fill = match meta["data_type"].as_str() {
+        Some("float32") => (meta["fill_value"].as_f64().expect("a float") as f32).to_le_bytes(),
+        Some("uint32") => (meta["fill_value"].as_u64().expect("an integer") as u32).to_le_bytes(),
+        other => panic!("data type {other:?}"),
+    };
+    let mut array = Vec::new();
+    for row in 0..shape[0] {
+        assert_eq!(shape[1], chunk[1], "one chunk across");
+        if row % chunk[0] == 0 {
+            let index = row / chunk[0];
+            let path = store.join(format!("c/{index}/0"));
+            let bytes = fs::read(path).unwrap_or_else(|_| fill.repeat(chunk[0] * chunk[1]));
+            // Every chunk has the whole shape.
+            assert_eq!(bytes.len(), 4 * chunk[0] * chunk[1], "chunk {index}");
+            let rows = chunk[0].min(shape[0] - row);
+            let (inside, padding) = bytes.split_at(4 * rows * shape[1]);
+            array.extend_from_slice(inside);
+            assert!(padding.chunks(4).all(|word| word == fill), "padding");
+        }
+    }
+    array
+}
+
+/// Requests whose last chunk overhangs, and the rows of a chunk.
+const CASES: [(&str, u64); 3] = [
+    (
+        "halton --count 1000 --dims 3 --fractions --device cpu",
+        1 << 20,
+    ),
+    ("sobol --count 2097153 --dims 2 --device cpu", 1 << 21),
+    (
+        "sobol --count 300 --dims 20000 --scramble owen-hash --seed 7 --device cpu",
+        128,
+    ),
+];
+
+#[test]
+fn the_chunks_are_the_points() {
+    for (arguments, rows) in CASES {
+        let desk = Desk::new();
+        desk.say(&format!("generate {arguments} --out a.zarr"));
+        let text = fs::read(desk.path("a.zarr/zarr.json")).expect("metadata");
+        let meta: Value = serde_json::from_slice(&text).expect("JSON");
+        assert_eq!(meta["chunk_grid"]["configuration"]["chunk_shape"][0], rows);
+        let hash = raw_hash(&desk, arguments);
+        let raw = fs::read(desk.path("points.raw")).expect("a raw file");
+        assert!(read(&desk.path("a.zarr")) == raw, "{arguments}");
+        assert_eq!(desk.merged("a.zarr"), hash, "{arguments}");
+    }
+}
+
+#[test]
+fn the_attributes_say_how_to_make_it_again() {
+    let desk = Desk::new();
+    let picture = super::repository("tests/data/sunrise.exr");
+    let line = format!(
+        "generate sobol --count 64 --map environment --env {} --seed 5 --scramble owen --device cpu \
+         --format zarr --out e",
+        picture.display()
+    );
+    desk.say(&line);
+    let text = fs::read(desk.path("e/zarr.json")).expect("metadata");
+    let meta: Value = serde_json::from_slice(&text).expect("JSON");
+    let origin = &meta["attributes"]["corput"];
+    assert_eq!(origin["version"], env!("CARGO_PKG_VERSION"));
+    let arguments = &origin["arguments"];
+    for (name, value) in [
+        ("sequence", json!("sobol")),
+        ("count", json!(64)),
+        ("seed", json!(5)),
+        ("scramble", json!("owen")),
+        ("map", json!("environment")),
+    ] {
+        assert_eq!(arguments[name], value, "{name}");
+    }
+    // What differs between machines is not there: the device, and where the picture lies.
+    assert!(arguments.get("device").is_none(), "{arguments}");
+    assert_eq!(arguments["env"], "sunrise.exr");
+    assert_eq!(arguments["env_sha256"].as_str().map(str::len), Some(64));
+}
+
+#[test]
+fn zarr_python_reads_the_same() {
+    let Some(python) = zarr_python() else {
+        eprintln!("SKIPPED: zarr-python could not be installed; the reader above stands alone");
+        return;
+    };
+    let script = "import hashlib, sys, zarr\n\
+                  a = zarr.open_array(sys.argv[1], mode='r')\n\
+                  print(a.shape, a.dtype, a.chunks, hashlib.sha256(a[:].tobytes()).hexdigest())";
+    for (arguments, rows) in CASES {
+        let desk = Desk::new();
+        desk.say(&format!("generate {arguments} --out a.zarr"));
+        let run = Command::new(&python)
+            .args(["-c", script])
+            .arg(desk.path("a.zarr"))
+            .output()
+            .expect("python runs");
+        let said = String::from_utf8_lossy(&run.stdout).into_owned();
+        let hash = raw_hash(&desk, arguments);
+        let kind = if arguments.contains("--fractions") {
+            "uint32"
+        } else {
+            "float32"
+        };
+        assert!(
+            said.contains(&hash) && said.contains(kind) && said.contains(&format!("({rows}, ")),
+            "{said}{}",
+            String::from_utf8_lossy(&run.stderr)
+        );
+    }
+}
+
+/// A Python that has zarr: one made before, or made now within a minute.
+fn zarr_python() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("zarr-python");
+    let python = folder.join("bin/python");
+    let script = ["-c", "import zarr; assert zarr.__version__ >= '3'"];
+    let quietly = |command: &mut Command| within_a_minute(command.stderr(Stdio::null()));
+    if python.exists() && quietly(Command::new(&python).args(script)) {
+        return Some(python);
+    }
+    let made = quietly(Command::new("python3").args(["-m", "venv"]).arg(&folder))
+        && quietly(
+            Command::new(&python)
+                .args(["-m", "pip", "install", "--quiet", "--retries", "0"])
+                .args(["--disable-pip-version-check", "zarr==3.*"]),
+        )
+        && quietly(Command::new(&python).args(script));
+    made.then_some(python)
+}
+
+/// Whether a command succeeds; it is ended where it takes too long.
+fn within_a_minute(command: &mut Command) -> bool {
+    let Ok(mut child) = command.stdin(Stdio::null()).stdout(Stdio::null()).spawn() else {
+        return false;
+    };
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_secs(60) {
+        match child.try_wait() {
+            Ok(Some(status)) => return status.success(),
+            Ok(None) => sleep(Duration::from_millis(50)),
+            Err(_) => break,
+        }
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+    false
+}
