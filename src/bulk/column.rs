@@ -25,6 +25,17 @@ pub enum Prepared {
     Plain(Column),
 }
 
+/// Where the float of a fraction lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// At it or below.
+    Down,
+    /// At it or above, and below 1.
+    Up,
+    /// In its stratum, of so many; 2^32 is written as 0.
+    Within(u32),
+}
+
 /// A coordinate of the Sobol sequence with its direction numbers.
 #[derive(Clone, Debug)]
 pub struct Sobol {
@@ -64,23 +75,32 @@ impl Prepared {
         }
     }
 
-    /// That value as a float in [0, 1).
-    pub fn unit(&self, u: u32) -> f32 {
+    /// How its values become floats.
+    pub fn rounding(&self) -> Rounding {
         match self {
-            Self::Radical(_) => unit::unit_ceil(u),
-            Self::Sobol(_) => unit::unit_floor(u),
+            Self::Radical(_) => Rounding::Up,
+            Self::Sobol(_) => Rounding::Down,
             Self::Plain(column) => match *column {
-                Column::Grid(_) | Column::Korobov { shift: None, .. } => unit::unit_ceil(u),
+                Column::Grid(_) | Column::Korobov { shift: None, .. } => Rounding::Up,
                 Column::Digits {
                     base,
                     scramble: DigitScramble::Faure,
                     ..
-                } if base != 2 => unit::unit_ceil(u),
-                Column::Stratified { strata, .. } => unit_stratum(u, strata),
-                Column::LatinHypercube { count, .. } => unit_stratum(u, count),
-                Column::MultiJittered { grid: [x, y], .. } => unit_stratum(u, x * y),
-                _ => unit::unit_floor(u),
+                } if base != 2 => Rounding::Up,
+                Column::Stratified { strata, .. } => Rounding::Within(strata),
+                Column::LatinHypercube { count, .. } => Rounding::Within(count),
+                Column::MultiJittered { grid: [x, y], .. } => Rounding::Within(x * y),
+                _ => Rounding::Down,
             },
+        }
+    }
+
+    /// That value as a float in [0, 1).
+    pub fn unit(&self, u: u32) -> f32 {
+        match self.rounding() {
+            Rounding::Down => unit::unit_floor(u),
+            Rounding::Up => unit::unit_ceil(u),
+            Rounding::Within(strata) => unit_stratum(u, strata),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The CPU path: the reference over ranges, on every core, with the bytes of the GPU.
 
+mod blocks;
 mod column;
 mod estimate;
 mod integrand;
@@ -9,7 +10,9 @@ mod irradiance;
 mod maps;
 mod pairs;
 mod pixels;
+mod points;
 mod reduce;
+mod rows;
 #[cfg(feature = "scenes")]
 mod scene;
 mod stored;
@@ -31,43 +34,111 @@ pub use stored::Stored;
 use crate::Result;
 use crate::catalog::{Engine, Output, Request};
 use column::Prepared;
+use points::{Points, STRIDE};
+use std::num::NonZero;
 
 /// Makes the points of a request on the CPU.
 #[derive(Clone, Debug)]
 pub struct Reference {
     request: Request,
     columns: Vec<Prepared>,
+    points: Points,
     threads: usize,
+    /// The last piece of [`Engine::make`], whose memory the next one takes.
+    piece: Vec<u32>,
 }
 
-/// Points of a piece: a few hundred kilobytes, so that progress is seen.
-const PIECE: u64 = 1 << 18;
+/// Words of a piece: 8 MiB, so that starting threads is a small part of the time, and progress
+/// is seen.
+const PIECE: u64 = 1 << 21;
+
+/// Fewer words than this are made sooner than a thread starts.
+const ALONE: usize = 1 << 12;
 
 impl Reference {
-    /// Prepares a request; threads as many as the machine has cores.
+    /// Prepares a request; threads as many as the machine has cores. A column has tables of up to
+    /// 100 KiB, which take some 10 µs to make, or a millisecond where digits are permuted.
     #[must_use]
     pub fn new(request: &Request) -> Self {
+        let threads = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
+        Self::with_threads(request, threads)
+    }
+
+    /// The same with so many threads. The words do not depend on it.
+    #[must_use]
+    pub fn with_threads(request: &Request, threads: NonZero<usize>) -> Self {
         let columns = request.columns.iter().map(Prepared::new).collect();
+        let output = match &request.map {
+            Some(_) => Output::Fractions,
+            None => request.output,
+        };
         Self {
             request: request.clone(),
             columns,
-            threads: std::thread::available_parallelism().map_or(1, usize::from),
+            points: Points::new(&request.columns, request.count, output),
+            threads: threads.get(),
+            piece: Vec::new(),
         }
     }
 
-    /// Writes the rows of consecutive points, `start` counted from the request's first.
+    /// Writes the rows of consecutive points, `start` counted from the request's first; they
+    /// end with the request at the latest. `words` holds whole rows. By blocks of indices, at
+    /// about the speed of memory where a sequence allows it.
     pub fn fill(&self, start: u64, words: &mut [u32]) {
-        let width = self.request.words_per_point() as usize;
-        let points = words.len() / width;
-        let share = points.div_ceil(self.threads).max(1);
+        self.parted(start, words, |n, rows| self.fill_part(n, rows));
+    }
+
+    /// The same words, each value by itself as the headers compute it: what [`Self::fill`] must
+    /// equal. Slow.
+    pub fn fill_singly(&self, start: u64, words: &mut [u32]) {
+        let width = self.width();
+        self.parted(start, words, |n, rows| {
+            for (n, row) in (n..).zip(rows.chunks_exact_mut(width)) {
+                self.row(n as u32, row);
+            }
+        });
+    }
+
+    fn width(&self) -> usize {
+        self.request.words_per_point() as usize
+    }
+
+    /// Calls `fill` with an index and the rows from there on, by all threads.
+    fn parted(&self, start: u64, words: &mut [u32], fill: impl Fn(u64, &mut [u32]) + Sync) {
+        let width = self.width();
+        let threads = if words.len() < ALONE { 1 } else { self.threads };
+        let share = (words.len() / width).div_ceil(threads).max(1);
+        let first = self.request.first + start;
+        let fill = &fill;
         std::thread::scope(|scope| {
-            for (i, part) in words.chunks_mut(share * width).enumerate() {
-                scope.spawn(move || {
-                    for (j, row) in part.chunks_exact_mut(width).enumerate() {
-                        let n = self.request.first + start + (i * share + j) as u64;
-                        self.row(n as u32, row);
-                    }
-                });
+            let mut parts = (first..)
+                .step_by(share)
+                .zip(words.chunks_mut(share * width));
+            let own = parts.next();
+            for (n, rows) in parts {
+                scope.spawn(move || fill(n, rows));
+            }
+            if let Some((n, rows)) = own {
+                fill(n, rows);
+            }
+        });
+    }
+
+    fn fill_part(&self, n: u64, rows: &mut [u32]) {
+        let Some(mapping) = &self.request.map else {
+            return self.points.fill(n, rows);
+        };
+        let width = self.width();
+        self.points.each(n, rows.len() / width, |batch| {
+            let rows = rows[batch.start * width..].chunks_exact_mut(width);
+            for (i, row) in rows.take(batch.rows).enumerate() {
+                let mut u = [0; 3];
+                let columns = batch.words[i..].iter().step_by(STRIDE);
+                for (u, column) in u.iter_mut().zip(columns).take(self.columns.len()) {
+                    *u = *column;
+                }
+                let sample = map_sample(mapping, self.request.profile, u);
+                row.copy_from_slice(&sample[..width]);
             }
         });
     }
@@ -99,19 +170,22 @@ impl Engine for Reference {
         count: u64,
         take: &mut dyn FnMut(&[u32]) -> Result<()>,
     ) -> Result<()> {
-        let width = u64::from(self.request.words_per_point());
+        let width = self.width();
+        let mut piece = std::mem::take(&mut self.piece);
         let mut done = 0;
         while done < count {
-            let points = (count - done).min((PIECE / width).max(1));
-            let mut words = vec![0; (points * width) as usize];
-            self.fill(start + done, &mut words);
-            take(&words)?;
+            let points = (count - done).min(self.chunk());
+            // At most PIECE words, or a row.
+            piece.resize(points as usize * width, 0);
+            self.fill(start + done, &mut piece);
+            take(&piece)?;
             done += points;
         }
+        self.piece = piece;
         Ok(())
     }
 
     fn chunk(&self) -> u64 {
-        PIECE
+        (PIECE / self.width() as u64).max(1)
     }
 }

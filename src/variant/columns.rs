@@ -170,10 +170,23 @@ const PHILOX_TURNS: u32 = 11;
 /// Five blocks of Philox, with five levels of each, of which four are in a loop.
 const OWEN_TURNS: u32 = 5 * (PHILOX_TURNS + 6) + 5;
 
-/// Direction numbers with all that is linear in the index: bit b of the index sets bits b
-/// and b - 1 of its Gray code, and a matrix times a sum is the sum of its products.
-fn net(dimension: u32, gray: bool, scramble: NetScramble, seed: [u32; 2]) -> Vec<u32> {
-    let seed = UVec2::from(seed);
+/// A coordinate of the Sobol sequence by direction numbers that hold all that is linear in the
+/// index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LinearNet {
+    /// What bit i of the index contributes, by exclusive or: a fraction of 2^32, for
+    /// [`NetScramble::OwenHash`] with its bits in reverse order.
+    pub directions: [u32; 32],
+    /// What every point has besides.
+    pub shift: u32,
+    /// The seed of the hash, where one scrambles.
+    pub hash: u32,
+}
+
+/// Bit b of the index sets bits b and b - 1 of its Gray code, and a matrix times a sum is the
+/// sum of its products. Scrambling by [`NetScramble::Owen`] is not linear, and is left to do.
+#[must_use]
+pub fn linear_net(dimension: u32, gray: bool, scramble: NetScramble, seed: UVec2) -> LinearNet {
     let mut directions = sobol_directions(dimension);
     if gray {
         for bit in (1..32).rev() {
@@ -187,19 +200,27 @@ fn net(dimension: u32, gray: bool, scramble: NetScramble, seed: [u32; 2]) -> Vec
     if scramble == NetScramble::OwenHash {
         directions = directions.map(u32::reverse_bits);
     }
+    LinearNet {
+        directions,
+        shift: match scramble {
+            NetScramble::Shift => derived_seed(seed, dimension, purpose::SHIFT),
+            NetScramble::Matrix => derived_seed(seed, dimension, purpose::MATRIX_SHIFT),
+            _ => 0,
+        },
+        hash: derived_seed(seed, dimension, purpose::OWEN_HASH),
+    }
+}
+
+fn net(dimension: u32, gray: bool, scramble: NetScramble, seed: [u32; 2]) -> Vec<u32> {
+    let seed = UVec2::from(seed);
+    let net = linear_net(dimension, gray, scramble, seed);
     let kind = match scramble {
         NetScramble::None | NetScramble::Shift | NetScramble::Matrix => column_kind::SOBOL,
         NetScramble::Owen => column_kind::SOBOL_OWEN,
         NetScramble::OwenHash => column_kind::SOBOL_OWEN_HASH,
     };
-    let shift = match scramble {
-        NetScramble::Shift => derived_seed(seed, dimension, purpose::SHIFT),
-        NetScramble::Matrix => derived_seed(seed, dimension, purpose::MATRIX_SHIFT),
-        _ => 0,
-    };
-    let hash = derived_seed(seed, dimension, purpose::OWEN_HASH);
-    let mut words = vec![kind, shift, dimension, seed.x, seed.y, hash];
-    words.extend(directions);
+    let mut words = vec![kind, net.shift, dimension, seed.x, seed.y, net.hash];
+    words.extend(net.directions);
     words
 }
 

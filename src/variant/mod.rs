@@ -6,7 +6,7 @@ mod estimate;
 mod plan;
 
 pub use bases::{odometer_base, radical_base};
-pub use columns::{column_table, column_words, longest_run};
+pub use columns::{LinearNet, column_table, column_words, linear_net, longest_run};
 pub use estimate::{
     general_estimate, longest_estimate, plan_estimate, plan_pixels, replan_estimate,
 };
