@@ -2,9 +2,7 @@
 
 use super::args::GenerateArgs;
 use super::{guide, host, interrupt, maps, mask, points, progress};
-use corput::bulk::Reference;
 use corput::catalog::{Engine, Options, Order, Output, Profile, Request, Scramble, Sequence};
-use corput::kernels::Generator;
 use corput::report::{Element, Format, Layout, Sink, Target};
 use corput::vulkan::Device;
 use corput::{Error, Result};
@@ -30,16 +28,7 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
             Output::Floats => Element::F32,
         },
     };
-    let asked = host::asked(args.device.as_deref());
-    let mut device = None;
-    let mut engine: Box<dyn Engine> = if host::is_cpu(asked.as_deref()) {
-        Box::new(Reference::new(&request))
-    } else {
-        let opened = host::open(args.device.as_deref())?;
-        let generator = Generator::new(&opened, &request)?;
-        device = Some(opened);
-        Box::new(generator)
-    };
+    let (mut engine, device) = host::engine(args.device.as_deref(), &request)?;
     interrupt::clean_up();
     let sink = Sink::open(
         &target,
