@@ -1,6 +1,6 @@
 //! Points of columns that are made by blocks, batch after batch of rows.
 
-use super::blocks::{Blocks, Finish, Philox};
+use super::blocks::{Blocks, Finish, Net, Philox};
 use super::column::Prepared;
 use super::rows::{TOGETHER, interleave};
 use crate::catalog::Output;
@@ -14,6 +14,10 @@ const ROWS: usize = 1 << 9;
 /// out of each other's places in the cache.
 pub const STRIDE: usize = ROWS + 16;
 
+/// Words that are cleared before they are written, 16 KiB: the C library clears memory without
+/// reading it, which loops over memory cannot, and so long a stretch stays in the cache.
+const CLEARED: usize = 1 << 12;
+
 /// Columns of a batch that is short.
 const NARROW: usize = 8;
 
@@ -22,6 +26,8 @@ const NARROW: usize = 8;
 pub struct Points {
     groups: Vec<Vec<Source>>,
     width: usize,
+    /// A shorter way to rows, where there is one.
+    net: Option<Net>,
 }
 
 /// What makes one column, or several.
@@ -48,7 +54,11 @@ impl Points {
     pub fn new(columns: &[Column], count: u64, output: Output) -> Self {
         let width = columns.len();
         let groups = columns.chunks(TOGETHER);
+        let finish = |column| Finish::of(&Prepared::new(column), output);
         Self {
+            net: columns
+                .first()
+                .and_then(|first| Net::of(columns, finish(first))),
             groups: groups
                 .map(|group| sources(group, count, width, output))
                 .collect(),
@@ -58,15 +68,28 @@ impl Points {
 
     /// Writes the rows of consecutive points from index n on, which do not go past 2^32.
     pub fn fill(&self, n: u64, words: &mut [u32]) {
-        if let ([group], 1) = (&self.groups[..], self.width) {
-            for (n, words) in (n..).step_by(ROWS).zip(words.chunks_mut(ROWS)) {
-                fill(group, n, words.len(), words);
-            }
-            return;
+        let Some(net) = &self.net else {
+            return self.fill_by_columns(n, words);
+        };
+        let stretch = (CLEARED / self.width).max(1);
+        let stretches = words.chunks_mut(stretch * self.width);
+        for (n, words) in (n..).step_by(stretch).zip(stretches) {
+            words.fill(0);
+            net.fill(n, words);
         }
+    }
+
+    fn fill_by_columns(&self, n: u64, words: &mut [u32]) {
+        let mut cleared = 0;
         self.each(n, words.len() / self.width.max(1), |batch| {
-            let rows = &mut words[batch.start * self.width..][..batch.rows * self.width];
-            interleave(batch, self.width, rows);
+            let start = batch.start * self.width;
+            let end = start + batch.rows * self.width;
+            if end > cleared {
+                let next = (cleared + CLEARED).max(end).min(words.len());
+                words[cleared..next].fill(0);
+                cleared = next;
+            }
+            interleave(batch, self.width, &mut words[start..end]);
         });
     }
 
@@ -119,8 +142,7 @@ fn sources(columns: &[Column], count: u64, width: usize, output: Output) -> Vec<
 fn fill(sources: &[Source], n: u64, rows: usize, words: &mut [u32]) {
     let mut columns = words;
     for source in sources {
-        let taken = columns.len().min(source.width() * STRIDE);
-        let (own, others) = columns.split_at_mut(taken);
+        let (own, others) = columns.split_at_mut(source.width() * STRIDE);
         match source {
             Source::Column(blocks) => blocks.fill(n, &mut own[..rows]),
             Source::Philox(philox) => philox.fill(n, rows, own),

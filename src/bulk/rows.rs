@@ -13,6 +13,7 @@ const STRIP: usize = 64;
 pub fn interleave(batch: &Batch, width: usize, rows: &mut [u32]) {
     match width {
         // With the width known, loads and stores are wide.
+        1 => band::<1>(batch, 0, 1, rows),
         2 => band::<2>(batch, 0, 2, rows),
         3 => band::<3>(batch, 0, 3, rows),
         4 => band::<4>(batch, 0, 4, rows),

@@ -1,7 +1,7 @@
 //! Tables with one wrong entry give wrong words: what tests compare with single values is seen
 //! to differ.
 
-use super::{Blocks, Finish, Form, Philox};
+use super::{Blocks, Finish, Form, Net, Philox};
 use crate::bulk::column::Prepared;
 use crate::bulk::points::STRIDE;
 use crate::catalog::Output;
@@ -47,6 +47,30 @@ fn a_wrong_bit_of_a_linear_table_shows() {
         };
         linear.break_table(77);
         assert_eq!(faults(&column, &made(&blocks)), COUNT.div_ceil(1024));
+    }
+}
+
+#[test]
+fn a_wrong_entry_of_a_table_of_rows_shows() {
+    let column = |dimension| Column::Sobol {
+        dimension,
+        gray: false,
+        scramble: NetScramble::Shift,
+        seed: [1, 2],
+    };
+    let columns = [column(1), column(2), column(3)];
+    let mut net = Net::of(&columns, Finish::Fraction).unwrap();
+    for broken in [false, true] {
+        if broken {
+            net.break_table(3 * 77 + 1);
+        }
+        let mut rows = vec![0; 3 * COUNT];
+        net.fill(0, &mut rows);
+        for (c, column) in columns.iter().enumerate() {
+            let made: Vec<u32> = rows.iter().skip(c).step_by(3).copied().collect();
+            let wrong = broken && c == 1;
+            assert_eq!(faults(column, &made) > 0, wrong, "column {c}");
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 //! block, exclusive or one of a table.
 
 use super::runs::runs;
-use crate::interface::NetScramble;
+use crate::interface::{Column, NetScramble};
 use crate::reference::lattice::rotate;
 use crate::reference::owen::{owen, owen_hash_reversed};
 use crate::variant::{LinearNet, linear_net};
@@ -26,6 +26,20 @@ enum Then {
     Owen { dimension: u32, seed: UVec2 },
     OwenHash { seed: u32 },
     Product { z: u32, shift: u32 },
+}
+
+/// A column that is linear in the index and nothing else.
+pub fn purely_linear(column: &Column) -> Option<LinearNet> {
+    match *column {
+        Column::Reversed => Some(REVERSED),
+        Column::Sobol {
+            dimension,
+            gray,
+            scramble: scramble @ (NetScramble::None | NetScramble::Shift | NetScramble::Matrix),
+            seed,
+        } => Some(linear_net(dimension, gray, scramble, UVec2::from(seed))),
+        _ => None,
+    }
 }
 
 /// Bits of the index that a table is for: 4 KiB, or 256 bytes where there are many columns.

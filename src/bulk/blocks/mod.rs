@@ -7,10 +7,12 @@ mod broken;
 mod counter;
 mod digits;
 mod linear;
+mod net;
 mod philox;
 mod runs;
 mod tile;
 
+pub use net::Net;
 pub use philox::Philox;
 
 use super::column::{Prepared, Rounding};
@@ -117,7 +119,6 @@ fn form(column: &Column, count: u64, width: usize) -> Form {
     let tile = match *column {
         Column::Reversed => return linear(Linear::reversed(width)),
         Column::Lattice { z, shift } => return linear(Linear::lattice(z, shift, width)),
-        Column::Sobol { .. } if count < SHORT => None,
         Column::Sobol {
             dimension,
             gray,
@@ -164,9 +165,6 @@ fn form(column: &Column, count: u64, width: usize) -> Form {
         |tile| Form::Tile(Box::new(tile)),
     )
 }
-
-/// Fewer values than this are not worth a table.
-const SHORT: u64 = 1 << 10;
 
 /// A count of which 2^32 is written as 0.
 fn written(count: u32) -> u64 {
