@@ -34,7 +34,7 @@ pub use stored::Stored;
 use crate::Result;
 use crate::catalog::{Engine, Output, Request};
 use column::Prepared;
-use points::Points;
+use points::{Points, STRIDE};
 use std::num::NonZero;
 
 /// Makes the points of a request on the CPU.
@@ -56,8 +56,8 @@ const PIECE: u64 = 1 << 21;
 const ALONE: usize = 1 << 12;
 
 impl Reference {
-    /// Prepares a request; threads as many as the machine has cores. Tables of its columns take
-    /// some 10 µs each, and at most 32 KiB.
+    /// Prepares a request; threads as many as the machine has cores. A column has tables of up to
+    /// 100 KiB, which take some 10 µs to make, or a millisecond where digits are permuted.
     #[must_use]
     pub fn new(request: &Request) -> Self {
         let threads = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
@@ -133,7 +133,7 @@ impl Reference {
             let rows = rows[batch.start * width..].chunks_exact_mut(width);
             for (i, row) in rows.take(batch.rows).enumerate() {
                 let mut u = [0; 3];
-                let columns = batch.words[i..].iter().step_by(batch.stride);
+                let columns = batch.words[i..].iter().step_by(STRIDE);
                 for (u, column) in u.iter_mut().zip(columns).take(self.columns.len()) {
                     *u = *column;
                 }

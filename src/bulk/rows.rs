@@ -1,53 +1,64 @@
 //! Columns into rows.
 
-use super::points::Batch;
+use super::points::{Batch, STRIDE};
 use std::array::from_fn;
 
 /// Columns of a batch at most.
 pub const TOGETHER: usize = 64;
 
-/// Points that are moved at a time, where the width of a row is known.
+/// Rows at a time: a number that the compiler knows.
 const STRIP: usize = 64;
 
 /// Writes a batch into its place in rows of `width` words.
 pub fn interleave(batch: &Batch, width: usize, rows: &mut [u32]) {
     match width {
-        2 => narrow::<2>(batch, rows),
-        3 => narrow::<3>(batch, rows),
-        4 => narrow::<4>(batch, rows),
-        8 => narrow::<8>(batch, rows),
-        _ => wide(batch, 0, width, rows),
-    }
-}
-
-/// Rows of D words, which a batch fills.
-fn narrow<const D: usize>(batch: &Batch, rows: &mut [u32]) {
-    let columns: [&[u32]; D] = from_fn(|c| &batch.words[c * batch.stride..][..batch.rows]);
-    let columns = columns.map(|column| column.as_chunks::<STRIP>().0);
-    let mut done = 0;
-    for (i, strip) in rows.chunks_exact_mut(STRIP * D).enumerate() {
-        let columns = columns.map(|column| &column[i]);
-        for (j, row) in strip
-            .as_chunks_mut::<D>()
-            .0
-            .iter_mut()
-            .enumerate()
-            .take(STRIP)
-        {
-            *row = from_fn(|c| columns[c][j]);
+        // With the width known, loads and stores are wide.
+        1 => band::<1>(batch, 0, 1, rows),
+        2 => band::<2>(batch, 0, 2, rows),
+        3 => band::<3>(batch, 0, 3, rows),
+        4 => band::<4>(batch, 0, 4, rows),
+        8 => band::<8>(batch, 0, 8, rows),
+        _ => {
+            let taken = (width - batch.first).min(TOGETHER);
+            let mut column = 0;
+            while column < taken {
+                column += match taken - column {
+                    8.. => {
+                        band::<8>(batch, column, width, rows);
+                        8
+                    }
+                    4.. => {
+                        band::<4>(batch, column, width, rows);
+                        4
+                    }
+                    _ => {
+                        band::<1>(batch, column, width, rows);
+                        1
+                    }
+                };
+            }
         }
-        done += STRIP;
     }
-    wide(batch, done, D, &mut rows[done * D..]);
 }
 
-/// Rows of any width, from row `first` of the batch on.
-fn wide(batch: &Batch, first: usize, width: usize, rows: &mut [u32]) {
-    let taken = (width - batch.first).min(TOGETHER);
-    for (i, row) in (first..).zip(rows.chunks_exact_mut(width)) {
-        let columns = batch.words[i..].iter().step_by(batch.stride);
-        for (word, column) in row[batch.first..][..taken].iter_mut().zip(columns) {
-            *word = *column;
+/// Writes D columns of a batch from `first` on.
+#[inline(always)]
+fn band<const D: usize>(batch: &Batch, first: usize, width: usize, rows: &mut [u32]) {
+    let columns: [&[u32]; D] = from_fn(|c| &batch.words[(first + c) * STRIDE..][..batch.rows]);
+    let place = batch.first + first;
+    let whole = columns.map(|column| column.as_chunks::<STRIP>().0);
+    for (i, strip) in rows.chunks_exact_mut(STRIP * width).enumerate() {
+        let columns = whole.map(|column| &column[i]);
+        for (j, row) in strip.chunks_exact_mut(width).enumerate().take(STRIP) {
+            if let Some(words) = row[place..].first_chunk_mut::<D>() {
+                *words = from_fn(|c| columns[c][j]);
+            }
+        }
+    }
+    let done = batch.rows / STRIP * STRIP;
+    for (i, row) in (done..).zip(rows[done * width..].chunks_exact_mut(width)) {
+        for (word, column) in row[place..].iter_mut().zip(&columns) {
+            *word = column[i];
         }
     }
 }

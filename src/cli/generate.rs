@@ -2,9 +2,7 @@
 
 use super::args::GenerateArgs;
 use super::{guide, host, interrupt, maps, mask, points, progress, store};
-use corput::bulk::Reference;
 use corput::catalog::{Engine, Options, Order, Output, Profile, Request, Scramble, Sequence};
-use corput::kernels::Generator;
 use corput::report::{Element, Format, Layout, Sink, Target};
 use corput::vulkan::Device;
 use corput::{Error, Result};
@@ -61,17 +59,8 @@ pub struct Maker {
 impl Maker {
     /// That of a request, on the device asked for.
     pub fn new(request: &Request, device: Option<&str>) -> Result<Self> {
-        if host::is_cpu(host::asked(device).as_deref()) {
-            return Ok(Self {
-                engine: Box::new(Reference::new(request)),
-                device: None,
-            });
-        }
-        let device = host::open(device)?;
-        Ok(Self {
-            engine: Box::new(Generator::new(&device, request)?),
-            device: Some(device),
-        })
+        let (engine, device) = host::engine(device, request)?;
+        Ok(Self { engine, device })
     }
 
     /// Fails where the validation layer has found something.

@@ -1,5 +1,9 @@
 //! The device that the user chose.
 
+use super::auto;
+use corput::bulk::Reference;
+use corput::catalog::{Engine, Request};
+use corput::kernels::Generator;
 use corput::vulkan::{Device, DeviceInfo, Instance, InstanceOptions, select};
 use corput::{Error, Result};
 use std::sync::Arc;
@@ -25,9 +29,38 @@ pub fn is_cpu(asked: Option<&str>) -> bool {
     asked.is_some_and(|name| name.eq_ignore_ascii_case("cpu"))
 }
 
+/// Whether it is whichever is faster.
+fn is_auto(asked: Option<&str>) -> bool {
+    asked.is_some_and(|name| name.eq_ignore_ascii_case("auto"))
+}
+
+/// What makes points, and the device that it runs on; none on the CPU.
+pub type Chosen = (Box<dyn Engine>, Option<Arc<Device>>);
+
+/// The engine for a request.
+pub fn engine(argument: Option<&str>, request: &Request) -> Result<Chosen> {
+    let asked = asked(argument);
+    if is_cpu(asked.as_deref()) {
+        return Ok((Box::new(Reference::new(request)), None));
+    }
+    if is_auto(asked.as_deref()) {
+        return auto::choose(request);
+    }
+    let device = open(argument)?;
+    let generator = Generator::new(&device, request)?;
+    Ok((Box::new(generator), Some(device)))
+}
+
 /// Opens the chosen device.
 pub fn open(argument: Option<&str>) -> Result<Arc<Device>> {
     let asked = asked(argument);
+    if is_auto(asked.as_deref()) {
+        return Err(Error::Arguments {
+            asked: "--device auto".into(),
+            limit: "only `generate` measures the CPU and a device and takes the faster one".into(),
+            remedy: "name cpu or a device that `corput devices` lists, or drop --device".into(),
+        });
+    }
     if is_cpu(asked.as_deref()) {
         return Err(Error::Arguments {
             asked: "--device cpu".into(),
@@ -35,9 +68,18 @@ pub fn open(argument: Option<&str>) -> Result<Arc<Device>> {
             remedy: "choose one that `corput devices` lists".into(),
         });
     }
+    select_and_open(asked.as_deref())
+}
+
+/// Opens the device that is taken where nobody names one.
+pub fn open_default() -> Result<Arc<Device>> {
+    select_and_open(None)
+}
+
+fn select_and_open(asked: Option<&str>) -> Result<Arc<Device>> {
     let instance = instance()?;
     let devices = instance.devices()?;
-    Device::open(&instance, select(&devices, asked.as_deref())?)
+    Device::open(&instance, select(&devices, asked)?)
 }
 
 /// Fails where the validation layer has found something.

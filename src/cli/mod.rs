@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod args;
+mod auto;
 mod bench;
 mod check;
 mod converge;

@@ -70,7 +70,7 @@ fn entry(sequence: Sequence, scramble: Scramble, first: u64) -> Result<Entry> {
         ..Options::new(sequence, count)
     })?;
     let mut words = vec![0; (count * u64::from(request.words_per_point())) as usize];
-    Reference::new(&request).fill(0, &mut words);
+    Reference::new(&request).fill_singly(0, &mut words);
     let mut command = format!(
         "corput generate {} --count {count} --dims {dimensions} --fractions",
         sequence.name()

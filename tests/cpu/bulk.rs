@@ -32,7 +32,7 @@ fn fault(request: &Request, start: u64, count: u64, threads: usize) -> Option<St
 fn windows(request: &Request, points: u64) -> Vec<(u64, u64)> {
     let points = points.min(request.count);
     let last = request.count - points;
-    let places = [0, 1, 1023, 4097, request.count / 3 | 1, last];
+    let places = [0, 1, 1023, 4097, (request.count / 3) | 1, last];
     let mut windows: Vec<_> = places
         .into_iter()
         .map(|start| (start.min(last), points))

@@ -2,6 +2,8 @@
 
 #[path = "cli/accuracy.rs"]
 mod accuracy;
+#[path = "cli/auto.rs"]
+mod auto;
 #[path = "cli/bench.rs"]
 mod bench;
 #[path = "cli/blue_noise.rs"]

@@ -2,7 +2,7 @@
 //! block, exclusive or one of a table.
 
 use super::runs::runs;
-use crate::interface::NetScramble;
+use crate::interface::{Column, NetScramble};
 use crate::reference::lattice::rotate;
 use crate::reference::owen::{owen, owen_hash_reversed};
 use crate::variant::{LinearNet, linear_net};
@@ -26,6 +26,20 @@ enum Then {
     Owen { dimension: u32, seed: UVec2 },
     OwenHash { seed: u32 },
     Product { z: u32, shift: u32 },
+}
+
+/// A column that is linear in the index and nothing else.
+pub fn purely_linear(column: &Column) -> Option<LinearNet> {
+    match *column {
+        Column::Reversed => Some(REVERSED),
+        Column::Sobol {
+            dimension,
+            gray,
+            scramble: scramble @ (NetScramble::None | NetScramble::Shift | NetScramble::Matrix),
+            seed,
+        } => Some(linear_net(dimension, gray, scramble, UVec2::from(seed))),
+        _ => None,
+    }
 }
 
 /// Bits of the index that a table is for: 4 KiB, or 256 bytes where there are many columns.
@@ -94,7 +108,12 @@ impl Linear {
                 self.each(n, words, |x| finish(owen(x, dimension, seed)));
             }
             Then::OwenHash { seed } => {
-                self.each(n, words, |x| finish(owen_hash_reversed(x, seed)));
+                // Products and the reversal of bits are vectorised apart, not together.
+                let hash = |x| owen_hash_reversed(x, seed).reverse_bits();
+                self.each(n, words, hash);
+                for word in words {
+                    *word = finish(word.reverse_bits());
+                }
             }
             Then::Product { z, shift } => {
                 self.each(n, words, |x| finish(rotate(x.wrapping_mul(z), shift)));
@@ -109,6 +128,14 @@ impl Linear {
                 *word = value(base ^ low);
             }
         }
+    }
+}
+
+#[cfg(test)]
+impl Linear {
+    /// Makes one entry wrong.
+    pub fn break_table(&mut self, place: usize) {
+        self.table[place] ^= 1 << 9;
     }
 }
 

@@ -2,13 +2,17 @@
 //! a table, and what is left is a loop that the compiler vectorises. The words are those of
 //! [`Prepared`], which says what they are.
 
+#[cfg(test)]
+mod broken;
 mod counter;
 mod digits;
 mod linear;
+mod net;
 mod philox;
 mod runs;
 mod tile;
 
+pub use net::Net;
 pub use philox::Philox;
 
 use super::column::{Prepared, Rounding};
@@ -57,6 +61,8 @@ macro_rules! finished {
     ($finish:expr, |$f:ident| $call:expr) => {{
         use $crate::bulk::column::Rounding;
         use $crate::reference::{stratified, unit};
+        // As `unit_ceil`, with its minimum of floats, which SSE2 has.
+        const BELOW_ONE: f32 = 1.0 - 0.5 * f32::EPSILON;
         match $finish {
             Finish::Fraction => {
                 let $f = |u: u32| u;
@@ -67,7 +73,11 @@ macro_rules! finished {
                 $call
             }
             Finish::Float(Rounding::Up) => {
-                let $f = |u: u32| unit::unit_ceil(u).to_bits();
+                let $f = |u: u32| {
+                    let k = (u >> 8) + u32::from(u & 0xff != 0);
+                    let x = k as f32 * (0.5 * f32::EPSILON);
+                    (if x < BELOW_ONE { x } else { BELOW_ONE }).to_bits()
+                };
                 $call
             }
             Finish::Float(Rounding::Within(strata)) => {
@@ -109,7 +119,6 @@ fn form(column: &Column, count: u64, width: usize) -> Form {
     let tile = match *column {
         Column::Reversed => return linear(Linear::reversed(width)),
         Column::Lattice { z, shift } => return linear(Linear::lattice(z, shift, width)),
-        Column::Sobol { .. } if count < SHORT => None,
         Column::Sobol {
             dimension,
             gray,
@@ -156,9 +165,6 @@ fn form(column: &Column, count: u64, width: usize) -> Form {
         |tile| Form::Tile(Box::new(tile)),
     )
 }
-
-/// Fewer values than this are not worth a table.
-const SHORT: u64 = 1 << 10;
 
 /// A count of which 2^32 is written as 0.
 fn written(count: u32) -> u64 {

@@ -1,5 +1,6 @@
 //! Random numbers by Philox for up to four columns, which share the generator's blocks.
 
+use super::super::points::STRIDE;
 use super::{Finish, finished};
 use crate::interface::{Column, Generator};
 
@@ -15,7 +16,7 @@ pub struct Philox {
 }
 
 /// Indices that go side by side.
-const LANES: usize = 8;
+const LANES: usize = 16;
 
 /// The place of a column in Philox: block, seed and word.
 fn place(column: &Column) -> Option<(u32, [u32; 2], usize)> {
@@ -52,21 +53,31 @@ impl Philox {
         self.words.len()
     }
 
-    /// Writes the words of `count` indices from n on, each column `stride` words after the one
+    /// Writes the words of `count` indices from n on, each column [`STRIDE`] words after the one
     /// before it.
-    pub fn fill(&self, n: u64, count: usize, stride: usize, columns: &mut [u32]) {
+    pub fn fill(&self, n: u64, count: usize, columns: &mut [u32]) {
         finished!(self.finish, |finish| {
             for start in (0..count).step_by(LANES) {
-                let numbers = philox((n as u32).wrapping_add(start as u32), self.block, self.seed);
-                let rows = LANES.min(count - start);
-                for (column, &word) in columns.chunks_mut(stride).zip(&self.words) {
-                    let into = column[start..start + rows].iter_mut();
-                    for (into, number) in into.zip(&numbers[word]) {
-                        *into = finish(*number as u32);
+                let first = (n as u32).wrapping_add(start as u32);
+                let numbers = philox(first, self.block, self.seed);
+                for (column, &word) in columns.chunks_mut(STRIDE).zip(&self.words) {
+                    let made = numbers[word].map(|number| finish(number as u32));
+                    let into = &mut column[start..count];
+                    match into.first_chunk_mut::<LANES>() {
+                        Some(into) => *into = made,
+                        None => into.copy_from_slice(&made[..into.len()]),
                     }
                 }
             }
         })
+    }
+}
+
+#[cfg(test)]
+impl Philox {
+    /// Takes the words of another block.
+    pub fn break_block(&mut self) {
+        self.block += 1;
     }
 }
 

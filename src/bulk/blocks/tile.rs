@@ -118,3 +118,16 @@ impl Tile {
         }
     }
 }
+
+#[cfg(test)]
+impl Tile {
+    /// Makes one quotient wrong, or one remainder so wrong that it always or never carries.
+    pub fn break_table(&mut self, place: usize, remainder: bool) {
+        if remainder {
+            let reached = self.remainders[place] == i32::MIN;
+            self.remainders[place] = if reached { i32::MAX } else { i32::MIN };
+        } else {
+            self.quotients[place] += 1;
+        }
+    }
+}
