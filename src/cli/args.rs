@@ -2,12 +2,15 @@
 
 mod study;
 mod values;
+mod verify;
 
 pub use study::{ConvergeArgs, EstimateArgs, IntegrandsArgs};
 pub use values::{Grid, Param};
+pub use verify::VerifyArgs;
 
 use super::guide;
 use clap::{Args, Parser, Subcommand};
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use values::{cells, grid, param, whole};
 
@@ -37,6 +40,8 @@ pub enum Command {
     Devices(DevicesArgs),
     /// Make points, or samples of a map over them, and write them to a file.
     Generate(Box<GenerateArgs>),
+    /// Make a file of points again from its FILE.json, and compare.
+    Verify(VerifyArgs),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),
     /// List the integrands: parameters, dimensions, formula, integral, error of their terms.
@@ -138,7 +143,8 @@ pub struct DevicesArgs {
     pub json: bool,
 }
 
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[command(after_help = "`corput generate --help` says what each sequence is, and what it takes.")]
 #[command(after_long_help = guide::generate())]
 pub struct GenerateArgs {
@@ -148,13 +154,16 @@ pub struct GenerateArgs {
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub count: Option<u64>,
     /// blue-noise-mask: pixels along a side, 4 to 256.
+    #[serde(skip)]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub size: Option<u64>,
     /// blue-noise-mask: values of a pixel, 1 or 2 [default: 1].
+    #[serde(skip)]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub channels: Option<u64>,
     /// blue-noise-mask: frames of a mask over time, 1 to 16; size x size x frames is at
     /// most 65536 [default: 1].
+    #[serde(skip)]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub frames: Option<u64>,
     /// Index of the first point.
@@ -215,14 +224,26 @@ pub struct GenerateArgs {
     #[arg(long, default_value = "exact")]
     pub profile: String,
     /// Device by index or part of its name, or cpu for the reference.
+    #[serde(skip)]
     #[arg(long)]
     pub device: Option<String>,
     /// npy, raw or csv; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
+    #[serde(skip)]
     #[arg(long)]
     pub format: Option<String>,
-    /// The file; - is standard output.
+    /// The file; - is standard output. FILE.json beside it records arguments and hashes.
+    #[serde(skip)]
     #[arg(long)]
     pub out: PathBuf,
+    /// Go on from the complete chunks that a run with these arguments left when it was cut off;
+    /// without this they are discarded.
+    #[serde(skip)]
+    #[arg(long)]
+    pub resume: bool,
+    /// Rows of a chunk, the unit of what is kept and hashed [default: those of about 64 MiB].
+    #[serde(skip)]
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub chunk_rows: Option<u64>,
 }
 
 #[derive(Debug, Args)]

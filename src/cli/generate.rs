@@ -1,14 +1,15 @@
 //! `corput generate`.
 
 use super::args::GenerateArgs;
+use super::arguments::origin;
 use super::{guide, host, interrupt, maps, mask, points, progress};
 use corput::bulk::Reference;
 use corput::catalog::{Engine, Options, Order, Output, Profile, Request, Scramble, Sequence};
 use corput::kernels::Generator;
-use corput::report::{Element, Format, Layout, Sink, Target};
+use corput::report::{Element, Format, Keeping, Layout, Origin, Sink, Target};
 use corput::vulkan::Device;
 use corput::{Error, Result};
-use serde_json::{Value, json};
+use indicatif::ProgressBar;
 use std::sync::Arc;
 
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
@@ -22,36 +23,78 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
         eprintln!("corput: warning: {warning}");
     }
     let (target, format) = output(args)?;
-    let layout = Layout {
+    let layout = layout(&request);
+    let mut maker = Maker::new(&request, args.device.as_deref())?;
+    interrupt::clean_up();
+    let origin = origin(args, Some(request.scramble), maker.device.as_ref())?;
+    if let Some(sink) = open(args, &target, format, layout, origin)? {
+        stream(maker.engine.as_mut(), layout, sink)?;
+    }
+    Ok(maker.validated()?)
+}
+
+/// Shape and type of the points of a request.
+pub fn layout(request: &Request) -> Layout {
+    Layout {
         rows: request.count,
         columns: request.words_per_point(),
         element: match request.output {
             Output::Fractions => Element::U32,
             Output::Floats => Element::F32,
         },
-    };
-    let asked = host::asked(args.device.as_deref());
-    let mut device = None;
-    let mut engine: Box<dyn Engine> = if host::is_cpu(asked.as_deref()) {
-        Box::new(Reference::new(&request))
-    } else {
-        let opened = host::open(args.device.as_deref())?;
-        let generator = Generator::new(&opened, &request)?;
-        device = Some(opened);
-        Box::new(generator)
-    };
-    interrupt::clean_up();
-    let sink = Sink::open(
-        &target,
-        format,
-        layout,
-        arguments(args, request.scramble, device.as_ref()),
-    )?;
-    stream(engine.as_mut(), layout, sink)?;
-    if let Some(device) = &device {
-        host::validated(device.instance())?;
     }
-    Ok(())
+}
+
+/// What makes points, and the device that it runs on.
+pub struct Maker {
+    pub engine: Box<dyn Engine>,
+    /// None for the CPU.
+    pub device: Option<Arc<Device>>,
+}
+
+impl Maker {
+    /// That of a request, on the device asked for.
+    pub fn new(request: &Request, device: Option<&str>) -> Result<Self> {
+        if host::is_cpu(host::asked(device).as_deref()) {
+            return Ok(Self {
+                engine: Box::new(Reference::new(request)),
+                device: None,
+            });
+        }
+        let device = host::open(device)?;
+        Ok(Self {
+            engine: Box::new(Generator::new(&device, request)?),
+            device: Some(device),
+        })
+    }
+
+    /// Fails where the validation layer has found something.
+    pub fn validated(&self) -> Result<()> {
+        self.device
+            .as_ref()
+            .map_or(Ok(()), |device| host::validated(device.instance()))
+    }
+}
+
+/// The output, begun or taken up again; none where it is finished already.
+pub fn open(
+    args: &GenerateArgs,
+    target: &Target,
+    format: Format,
+    layout: Layout,
+    origin: Origin,
+) -> Result<Option<Sink>> {
+    if args.resume && Sink::is_finished(target, format, layout, &origin)? {
+        let file = args.out.display();
+        eprintln!("corput: {file} is finished; `corput verify {file}` checks it");
+        return Ok(None);
+    }
+    let keeping = Keeping {
+        resume: args.resume,
+        chunk_rows: args.chunk_rows,
+    };
+    let mut watch = interrupt::stop;
+    Sink::keeping(target, format, layout, origin, keeping, &mut watch).map(Some)
 }
 
 /// Where the points go, and as what.
@@ -74,7 +117,8 @@ pub fn count(args: &GenerateArgs) -> Result<u64> {
     })
 }
 
-fn request(args: &GenerateArgs) -> Result<Request> {
+/// The points that the arguments describe.
+pub fn request(args: &GenerateArgs) -> Result<Request> {
     let sequence = Sequence::from_name(&args.sequence)
         .map_err(|_| Error::unknown_name("sequence", &args.sequence, &guide::known()))?;
     let map = maps::mapping(args)?;
@@ -116,11 +160,28 @@ pub fn scramble(sequence: Sequence, name: &str) -> Result<Scramble> {
     })
 }
 
-/// Chunk after chunk from the engine to the file.
+/// Piece after piece from the engine to the file.
 pub fn stream(engine: &mut dyn Engine, layout: Layout, mut sink: Sink) -> Result<()> {
     let bar = progress::points(layout.rows);
+    // What is there already counts for no rate.
+    bar.set_position(sink.rows());
+    bar.reset_eta();
+    match produce(engine, layout, &mut sink, &bar) {
+        Ok(()) => sink.finish()?,
+        Err(cause) => return Err(sink.abandon(cause)),
+    };
+    bar.finish_and_clear();
+    Ok(())
+}
+
+fn produce(
+    engine: &mut dyn Engine,
+    layout: Layout,
+    sink: &mut Sink,
+    bar: &ProgressBar,
+) -> Result<()> {
     let width = u64::from(layout.columns);
-    let mut done = 0;
+    let mut done = sink.rows();
     while done < layout.rows {
         let points = engine.chunk().clamp(1, layout.rows - done);
         engine.make(done, points, &mut |words| {
@@ -131,35 +192,5 @@ pub fn stream(engine: &mut dyn Engine, layout: Layout, mut sink: Sink) -> Result
         })?;
         done += points;
     }
-    sink.finish()?;
-    bar.finish_and_clear();
     Ok(())
-}
-
-/// What a sidecar records: the arguments, and nothing that changes the bytes of the
-/// exact profile but them.
-pub fn arguments(args: &GenerateArgs, scramble: Scramble, device: Option<&Arc<Device>>) -> Value {
-    json!({
-        "sequence": args.sequence,
-        "count": args.count,
-        "first": args.first,
-        "dims": args.dims,
-        "bases": args.bases,
-        "total": args.total,
-        "index_first": args.index_first,
-        "seed": args.seed.unwrap_or(0),
-        "scramble": scramble.name(),
-        "order": args.order,
-        "grid": args.grid.as_ref().map(|grid| &grid.0),
-        "generator": args.generator,
-        "fractions": args.fractions,
-        "map": args.map,
-        "param": args.param.iter().map(|p| (p.name.clone(), json!(p.numbers))).collect::<serde_json::Map<_, _>>(),
-        "env": args.env,
-        "env_weight": args.env_weight,
-        "compensated": args.compensated,
-        "with_pdf": args.with_pdf,
-        "profile": args.profile,
-        "device": device.map_or_else(|| "cpu".to_owned(), |device| host::line(device.info())),
-    })
 }

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod args;
+mod arguments;
 mod bench;
 mod check;
 mod converge;
@@ -28,6 +29,7 @@ mod progress;
 mod scene;
 mod strip;
 mod vectors;
+mod verify;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -44,6 +46,7 @@ pub fn main() -> ExitCode {
     let result = match &cli.command {
         Command::Devices(args) => devices::run(args),
         Command::Generate(args) => generate::run(args),
+        Command::Verify(args) => verify::run(args),
         Command::Maps(args) => maps::run(args),
         Command::Integrands(args) => integrands::run(args),
         Command::Estimate(args) => estimate::run(args),

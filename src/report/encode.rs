@@ -1,8 +1,7 @@
-//! Words to bytes: the `.npy` header, little-endian words, CSV text.
+//! Words to bytes: the `.npy` header, little-endian words, text.
 
-use std::io::{self, Write};
-
-use super::{Element, Layout};
+use super::text;
+use super::{Element, Format, Layout};
 
 /// Where the data of an `.npy` file starts: a page, so that a memory map or
 /// an imported host pointer of the data is aligned.
@@ -44,62 +43,47 @@ fn header_of(element: Element, shape: &str) -> Vec<u8> {
     header
 }
 
-/// Writes words little-endian; on a little-endian host without a copy.
-pub(super) fn write_words(out: &mut impl Write, words: &[u32]) -> io::Result<()> {
+/// The bytes of one array in one format: a header, and the rows.
+#[derive(Clone, Debug)]
+pub(super) struct Encoder {
+    pub(super) format: Format,
+    pub(super) layout: Layout,
+}
+
+impl Encoder {
+    /// What stands before the first row.
+    pub(super) fn header(&self) -> Vec<u8> {
+        match self.format {
+            Format::Npy => npy_header(&self.layout),
+            Format::Raw => Vec::new(),
+            Format::Csv => text::csv_header(self.layout.columns),
+        }
+    }
+
+    /// Bytes of a row, where all have as many.
+    pub(super) fn row_bytes(&self) -> Option<u64> {
+        match self.format {
+            Format::Npy | Format::Raw => {
+                Some(u64::from(self.layout.columns) * self.layout.element.bytes())
+            }
+            Format::Csv => None,
+        }
+    }
+
+    /// Appends the bytes of words, the first of which is the array's word `at`.
+    pub(super) fn append(&self, at: u64, words: &[u32], out: &mut Vec<u8>) {
+        match self.format {
+            Format::Npy | Format::Raw => append_words(words, out),
+            Format::Csv => text::csv(&self.layout, at, words, out),
+        }
+    }
+}
+
+/// Little-endian words; on a little-endian host a copy of memory.
+fn append_words(words: &[u32], out: &mut Vec<u8>) {
     if cfg!(target_endian = "little") {
-        return out.write_all(bytemuck::cast_slice(words));
-    }
-    for word in words {
-        out.write_all(&word.to_le_bytes())?;
-    }
-    Ok(())
-}
-
-/// The first line of a CSV file: `x0,x1,...`.
-pub(super) fn csv_header(columns: u32) -> Vec<u8> {
-    let mut header = Vec::new();
-    for column in 0..columns {
-        let end = if column + 1 == columns { '\n' } else { ',' };
-        header.extend_from_slice(format!("x{column}{end}").as_bytes());
-    }
-    header
-}
-
-/// Writes words as CSV fields. `column` is the column of the next word and is
-/// carried from call to call, so a chunk may end within a row.
-pub(super) fn write_csv(
-    out: &mut impl Write,
-    words: &[u32],
-    element: Element,
-    columns: u32,
-    column: &mut u32,
-) -> io::Result<()> {
-    for &word in words {
-        match element {
-            Element::U32 => write!(out, "{word}")?,
-            Element::F32 => write_f32(out, f32::from_bits(word))?,
-        }
-        *column += 1;
-        if *column == columns {
-            *column = 0;
-            out.write_all(b"\n")?;
-        } else {
-            out.write_all(b",")?;
-        }
-    }
-    Ok(())
-}
-
-/// Writes the fewest decimal digits that read back as the same float.
-///
-/// Outside [1e-4, 1e16) with an exponent: plain notation would print 2^-149
-/// with 45 zeros. A NaN is `NaN`: its payload has no decimal form.
-fn write_f32(out: &mut impl Write, value: f32) -> io::Result<()> {
-    let magnitude = value.abs();
-    let plain = value == 0.0 || (1e-4..1e16).contains(&magnitude) || !value.is_finite();
-    if plain {
-        write!(out, "{value}")
+        out.extend_from_slice(bytemuck::cast_slice(words));
     } else {
-        write!(out, "{value:e}")
+        out.extend(words.iter().flat_map(|word| word.to_le_bytes()));
     }
 }

@@ -121,26 +121,6 @@ impl Aside {
         })
     }
 
-    /// The same for `FILE.json`, to go beside this file.
-    pub(super) fn sidecar(&self) -> Result<Self> {
-        let mut name = OsString::from(&self.real);
-        name.push(".json");
-        let asked = PathBuf::from(name);
-        match existing(&asked)? {
-            Existing::File(real) => Self::create(&asked, real),
-            Existing::Device => Err(refused(
-                &asked,
-                "it is no regular file",
-                "give the output another name",
-            )),
-        }
-    }
-
-    /// The final name, symbolic links resolved.
-    pub(super) fn real(&self) -> &Path {
-        &self.real
-    }
-
     /// Writes all bytes, for small files.
     pub(super) fn fill(&mut self, bytes: &[u8]) -> Result<()> {
         self.file
@@ -174,7 +154,7 @@ impl Drop for Aside {
 }
 
 /// What stands under a final name.
-enum Existing {
+pub(super) enum Existing {
     /// A device or pipe.
     Device,
     /// A regular file or nothing, under this name without symbolic links.
@@ -182,7 +162,7 @@ enum Existing {
 }
 
 /// Looks at what is there, and refuses what cannot become the output.
-fn existing(path: &Path) -> Result<Existing> {
+pub(super) fn existing(path: &Path) -> Result<Existing> {
     let ends_in_separator = path
         .as_os_str()
         .as_encoded_bytes()
@@ -219,7 +199,7 @@ fn folder_of(file: &Path) -> &Path {
 
 /// Makes a rename last: it is an entry of the folder.
 #[cfg(unix)]
-fn sync_folder(file: &Path) -> io::Result<()> {
+pub(super) fn sync_folder(file: &Path) -> io::Result<()> {
     match File::open(folder_of(file)).and_then(|f| f.sync_all()) {
         // Some network and FUSE file systems cannot do this; the rename stands.
         Err(e)
@@ -237,7 +217,7 @@ fn sync_folder(file: &Path) -> io::Result<()> {
 }
 
 #[cfg(not(unix))]
-fn sync_folder(_: &Path) -> io::Result<()> {
+pub(super) fn sync_folder(_: &Path) -> io::Result<()> {
     Ok(())
 }
 
@@ -250,7 +230,7 @@ pub(super) fn failed(action: &'static str, path: &Path, source: io::Error) -> Er
     }
 }
 
-fn refused(path: &Path, problem: impl Into<String>, remedy: impl Into<String>) -> Error {
+pub(super) fn refused(path: &Path, problem: impl Into<String>, remedy: impl Into<String>) -> Error {
     Error::Output {
         path: path.to_owned(),
         problem: problem.into(),
@@ -259,7 +239,7 @@ fn refused(path: &Path, problem: impl Into<String>, remedy: impl Into<String>) -
 }
 
 /// Why `made` could not be created on behalf of `asked`.
-fn cannot_create(asked: &Path, made: &Path, source: &io::Error) -> Error {
+pub(super) fn cannot_create(asked: &Path, made: &Path, source: &io::Error) -> Error {
     let folder = folder_of(made);
     let shown = folder.display();
     match source.kind() {

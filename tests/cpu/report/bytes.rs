@@ -24,24 +24,24 @@ fn npy_header_is_golden() {
     );
 }
 
+fn sha256(bytes: &[u8]) -> String {
+    let digits = Sha256::digest(bytes);
+    digits.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 #[test]
 fn npy_reads_back() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("d.npy");
     let data = words(&[0.0, -0.0, 1.0, f32::from_bits(1), f32::MAX, -0.25]);
     let summary = save(&path, Format::Npy, layout(2, 3, Element::F32), &[&data]).unwrap();
-    assert_eq!(
-        summary,
-        Summary {
-            bytes: 4096 + 24,
-            sha256: None
-        }
-    );
+    assert_eq!(summary.bytes, 4096 + 24);
+    assert_eq!(summary.sha256, Some(sha256(&fs::read(&path).unwrap())));
     assert_eq!(
         parse_npy(&fs::read(&path).unwrap()),
         ("<f4".to_owned(), vec![2, 3], data)
     );
-    assert_eq!(names(&folder), ["d.npy"]);
+    assert_eq!(names(&folder), ["d.npy", "d.npy.json"]);
 }
 
 #[test]
@@ -68,10 +68,7 @@ fn raw_has_a_sidecar_that_describes_it() {
     .unwrap();
     let bytes = fs::read(&path).unwrap();
     assert_eq!(bytes, [1, 0, 0, 0, 1, 2, 3, 4, 255, 255, 255, 255]);
-    let sha256: String = Sha256::digest(&bytes)
-        .iter()
-        .map(|b| format!("{b:02x}"))
-        .collect();
+    let sha256 = sha256(&bytes);
     assert_eq!(
         summary,
         Summary {
@@ -82,7 +79,20 @@ fn raw_has_a_sidecar_that_describes_it() {
     let sidecar: Value =
         serde_json::from_slice(&fs::read(folder.path().join("f.raw.json")).unwrap()).unwrap();
     let version = env!("CARGO_PKG_VERSION");
-    let expected = json!({"arguments": {"count": 3}, "version": version, "shape": [3, 1], "type": "<u4", "sha256": sha256});
+    // Without header or footer the one chunk is the file.
+    let expected = json!({
+        "schema": "corput-file/1",
+        "arguments": {"count": 3},
+        "device": "",
+        "version": version,
+        "format": "raw",
+        "shape": [3, 1],
+        "type": "<u4",
+        "bytes": 12,
+        "chunk_rows": 3,
+        "chunks": [{"bytes": 12, "sha256": sha256}],
+        "sha256": sha256,
+    });
     assert_eq!(sidecar, expected);
     assert_eq!(names(&folder), ["f.raw", "f.raw.json"]);
 }
