@@ -197,7 +197,13 @@ pub struct GenerateArgs {
     /// korobov: the generator [default: that published for the number of points].
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub generator: Option<u64>,
-    /// Write u32 fractions of 2^32 instead of f32.
+    /// f32; or fractions of 2^32 as u32, as u16 (their leading bits) or as f64 (all of them)
+    /// [default: f32].
+    #[serde(rename = "type")]
+    #[arg(long = "type", value_name = "TYPE")]
+    pub element: Option<String>,
+    /// As --type u32.
+    #[serde(skip)]
     #[arg(long)]
     pub fractions: bool,
     #[arg(help = guide::maps())]
@@ -227,7 +233,8 @@ pub struct GenerateArgs {
     #[serde(skip)]
     #[arg(long)]
     pub device: Option<String>,
-    /// npy, raw or csv; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
+    /// npy, raw, csv, c-header or glsl, an array; of blue-noise-mask npy, png or exr
+    /// [default: from the file's ending; npy on standard output].
     #[serde(skip)]
     #[arg(long)]
     pub format: Option<String>,

@@ -1,6 +1,7 @@
 //! The arguments of `generate` in a sidecar, and back.
 
 use super::args::GenerateArgs;
+use super::generate::element;
 use super::host;
 use corput::catalog::{Profile, Scramble, Sequence};
 use corput::report::{Origin, hexadecimal};
@@ -25,6 +26,7 @@ pub fn origin(
     let mut args = args.clone();
     // That which was chosen by default is told.
     args.scramble = scramble.map(|scramble| scramble.name().to_owned());
+    args.element = Some(element(&args)?.name().to_owned());
     let mut arguments = serde_json::to_value(&args).map_err(|fault| Error::Arguments {
         asked: "arguments that FILE.json is to record".into(),
         limit: format!("it holds text of UTF-8 only ({fault})"),

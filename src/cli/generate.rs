@@ -23,7 +23,7 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
         eprintln!("corput: warning: {warning}");
     }
     let (target, format) = output(args)?;
-    let layout = layout(&request);
+    let layout = layout(&request, element(args)?);
     let mut maker = Maker::new(&request, args.device.as_deref())?;
     interrupt::clean_up();
     let origin = origin(args, Some(request.scramble), maker.device.as_ref())?;
@@ -33,15 +33,48 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     Ok(maker.validated()?)
 }
 
+/// The type of the file's elements.
+///
+/// # Errors
+/// [`Error::UnknownName`], and [`Error::Arguments`] for two types, or other than floats of a map.
+pub fn element(args: &GenerateArgs) -> Result<Element> {
+    let Some(name) = &args.element else {
+        return Ok(if args.fractions {
+            Element::U32
+        } else {
+            Element::F32
+        });
+    };
+    let element = Element::from_name(name)?;
+    let refused = |with: &str, limit: &str| Error::Arguments {
+        asked: format!("--type {name} with {with}"),
+        limit: limit.into(),
+        remedy: "drop one of the two".into(),
+    };
+    if args.fractions && element != Element::U32 {
+        return Err(refused("--fractions", "--fractions means --type u32"));
+    }
+    if args.map.is_some() && element != Element::F32 {
+        let limit = "a map's results are floats; only points have fractions";
+        return Err(refused("--map", limit));
+    }
+    Ok(element)
+}
+
+/// What an engine must make for elements of a type.
+pub fn words(element: Element) -> Output {
+    match element {
+        Element::F32 => Output::Floats,
+        Element::U32 | Element::U16 | Element::F64 => Output::Fractions,
+    }
+}
+
 /// Shape and type of the points of a request.
-pub fn layout(request: &Request) -> Layout {
+pub fn layout(request: &Request, element: Element) -> Layout {
     Layout {
         rows: request.count,
         columns: request.words_per_point(),
-        element: match request.output {
-            Output::Fractions => Element::U32,
-            Output::Floats => Element::F32,
-        },
+        element,
     }
 }
 
@@ -142,7 +175,7 @@ pub fn request(args: &GenerateArgs) -> Result<Request> {
         order: Order::from_name(&args.order)?,
         grid: args.grid.as_ref().map(|grid| grid.0.clone()),
         generator: args.generator,
-        fractions: args.fractions,
+        fractions: words(element(args)?) == Output::Fractions,
         map,
         with_pdf: args.with_pdf,
         profile: Profile::from_name(&args.profile)?,

@@ -2,12 +2,12 @@
 
 use super::args::GenerateArgs;
 use super::arguments::origin;
-use super::generate::{count, open, output, stream};
+use super::generate::{count, element, open, output, stream, words};
 use super::{host, interrupt, maps, mask};
 use corput::blue_noise::{blue_noise_points, check_count};
 use corput::bulk::Stored;
 use corput::catalog::{Guide, Output, Profile, check_map};
-use corput::report::{Element, Layout};
+use corput::report::Layout;
 use corput::{Error, Result};
 
 /// The name on the command line.
@@ -40,18 +40,17 @@ pub fn prepare(args: &GenerateArgs) -> Result<(Stored, Layout)> {
     mask::refuse(args)?;
     refuse(args)?;
     let map = maps::mapping(args)?;
+    let element = element(args)?;
+    let output = words(element);
     check_map(
         map.as_ref(),
         DIMENSIONS as u32,
-        args.fractions,
+        output == Output::Fractions,
         args.with_pdf,
     )?;
     let stored = Stored {
         points: Vec::new(),
-        output: match args.fractions {
-            true => Output::Fractions,
-            false => Output::Floats,
-        },
+        output,
         map,
         with_pdf: args.with_pdf,
         profile: profile(args)?,
@@ -59,10 +58,7 @@ pub fn prepare(args: &GenerateArgs) -> Result<(Stored, Layout)> {
     let layout = Layout {
         rows: count(args)?,
         columns: stored.words_per_point(),
-        element: match stored.output {
-            Output::Fractions => Element::U32,
-            Output::Floats => Element::F32,
-        },
+        element,
     };
     check_count(layout.rows)?;
     Ok((stored, layout))

@@ -68,7 +68,8 @@ fn maker(made: &GenerateArgs, device: Option<&str>) -> Result<(Maker, Layout)> {
         return Ok((maker, layout));
     }
     let request = generate::request(made)?;
-    Ok((Maker::new(&request, device)?, generate::layout(&request)))
+    let layout = generate::layout(&request, generate::element(made)?);
+    Ok((Maker::new(&request, device)?, layout))
 }
 
 fn compare(

@@ -75,6 +75,7 @@ impl Comparison {
             encoder: Encoder {
                 format: sidecar.format,
                 layout,
+                name: sidecar.name.clone(),
             },
             file: BufReader::with_capacity(BLOCK, file),
             hashes: whole.then(|| Hashes::new(sidecar)),
@@ -205,8 +206,9 @@ impl Comparison {
             let read = self.file.read_to_end(&mut rest);
             read.map_err(|source| failed("read", &self.path, source))?;
             hashes.frame(&rest);
-            if !rest.is_empty() {
-                problem.get_or_insert("bytes follow its last row".into());
+            if rest != self.encoder.footer() {
+                let end = "what follows its last row is not the end of such a file";
+                problem.get_or_insert(end.into());
             }
             if let Some(wrong) = hashes.finish() {
                 problem.get_or_insert(wrong);

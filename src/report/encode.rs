@@ -1,7 +1,7 @@
-//! Words to bytes: the `.npy` header, little-endian words, text.
+//! Words to bytes: headers, rows and what stands at the end.
 
-use super::text;
-use super::{Element, Format, Layout};
+use super::{Element, Format, Layout, source, text};
+use crate::error::Result;
 
 /// Where the data of an `.npy` file starts: a page, so that a memory map or
 /// an imported host pointer of the data is aligned.
@@ -22,7 +22,7 @@ pub fn npy_header(layout: &Layout) -> Vec<u8> {
 pub fn npy_array(element: Element, shape: &[u32], words: &[u32]) -> Vec<u8> {
     let axes: String = shape.iter().map(|axis| format!("{axis}, ")).collect();
     let mut bytes = header_of(element, &format!("({})", axes.trim_end()));
-    bytes.extend(words.iter().flat_map(|word| word.to_le_bytes()));
+    element.append(words, &mut bytes);
     bytes
 }
 
@@ -43,47 +43,71 @@ fn header_of(element: Element, shape: &str) -> Vec<u8> {
     header
 }
 
-/// The bytes of one array in one format: a header, and the rows.
+/// The bytes of one array in one format: a header, the rows, and an end.
 #[derive(Clone, Debug)]
 pub(super) struct Encoder {
     pub(super) format: Format,
     pub(super) layout: Layout,
+    /// The array's name in source text; none in data.
+    pub(super) name: Option<String>,
 }
 
 impl Encoder {
+    /// `file` is the name of the file, after which an array in source text is called.
+    ///
+    /// # Errors
+    /// [`crate::Error::Arguments`] for an impossible layout, or one that source text cannot hold.
+    pub(super) fn new(format: Format, layout: Layout, file: &str) -> Result<Self> {
+        layout.words()?;
+        let name = match format.is_source() {
+            true => Some(source::name(format, &layout, file)?),
+            false => None,
+        };
+        Ok(Self {
+            format,
+            layout,
+            name,
+        })
+    }
+
+    fn name(&self) -> &str {
+        self.name.as_deref().unwrap_or_default()
+    }
+
     /// What stands before the first row.
     pub(super) fn header(&self) -> Vec<u8> {
         match self.format {
             Format::Npy => npy_header(&self.layout),
             Format::Raw => Vec::new(),
             Format::Csv => text::csv_header(self.layout.columns),
+            Format::C => source::c_header(&self.layout, self.name()),
+            Format::Glsl => source::glsl_header(&self.layout, self.name()),
         }
     }
 
-    /// Bytes of a row, where all have as many.
-    pub(super) fn row_bytes(&self) -> Option<u64> {
+    /// What stands after the last row.
+    pub(super) fn footer(&self) -> &'static [u8] {
         match self.format {
-            Format::Npy | Format::Raw => {
-                Some(u64::from(self.layout.columns) * self.layout.element.bytes())
-            }
-            Format::Csv => None,
+            Format::Npy | Format::Raw | Format::Csv => b"",
+            Format::C => source::C_FOOTER,
+            Format::Glsl => source::GLSL_FOOTER,
         }
+    }
+
+    /// Bytes of a row in binary formats. In text each row is a line.
+    pub(super) fn row_bytes(&self) -> Option<u64> {
+        let row = u64::from(self.layout.columns) * self.layout.element.bytes();
+        (!self.format.is_text()).then_some(row)
     }
 
     /// Appends the bytes of words, the first of which is the array's word `at`.
     pub(super) fn append(&self, at: u64, words: &[u32], out: &mut Vec<u8>) {
+        let layout = &self.layout;
         match self.format {
-            Format::Npy | Format::Raw => append_words(words, out),
-            Format::Csv => text::csv(&self.layout, at, words, out),
+            Format::Npy | Format::Raw => layout.element.append(words, out),
+            Format::Csv => text::csv(layout, at, words, out),
+            Format::C => source::c(layout, at, words, out),
+            Format::Glsl => source::glsl(layout, at, words, out),
         }
-    }
-}
-
-/// Little-endian words; on a little-endian host a copy of memory.
-fn append_words(words: &[u32], out: &mut Vec<u8>) {
-    if cfg!(target_endian = "little") {
-        out.extend_from_slice(bytemuck::cast_slice(words));
-    } else {
-        out.extend(words.iter().flat_map(|word| word.to_le_bytes()));
     }
 }

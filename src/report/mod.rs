@@ -31,6 +31,7 @@ mod page;
 mod place;
 mod read;
 mod sink;
+mod source;
 mod stream;
 mod text;
 
@@ -44,6 +45,7 @@ pub use page::page;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};
 pub use sink::{Sink, Summary, hexadecimal};
+pub use source::MAX_SOURCE_VALUES;
 
 use crate::error::{Error, Result};
 use place::{Place, failed};
@@ -123,7 +125,7 @@ impl Document {
     ///
     /// [`Error::Output`] if it cannot be created, or is a terminal.
     pub fn open(target: &Target) -> Result<Self> {
-        // Every format but CSV is binary.
+        // Small files are taken for binary ones.
         let (place, path) = Place::open(target, Format::Npy)?;
         Ok(Self { place, path })
     }
@@ -155,7 +157,7 @@ pub struct Layout {
     pub rows: u64,
     /// Words in a row: at least 1.
     pub columns: u32,
-    /// What each word is.
+    /// What the array holds for each word.
     pub element: Element,
 }
 

@@ -30,6 +30,20 @@ impl<P: Into<PathBuf>> From<P> for Target {
     }
 }
 
+impl Target {
+    /// The name of the file without its folder.
+    pub(super) fn name(&self) -> String {
+        match self {
+            Self::File(path) => path
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into(),
+            Self::Stdout => "stdout".to_owned(),
+        }
+    }
+}
+
 /// An open destination.
 pub(super) enum Place {
     /// Written aside; `commit` gives it its name.
@@ -46,7 +60,7 @@ impl Place {
             Target::Stdout => {
                 let out = io::stdout();
                 let path = PathBuf::from("standard output");
-                if format != Format::Csv && out.is_terminal() {
+                if !format.is_text() && out.is_terminal() {
                     return Err(refused(
                         &path,
                         "it is a terminal, and the data is binary",

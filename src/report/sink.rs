@@ -90,7 +90,7 @@ impl Sink {
         watch: &mut dyn FnMut(u64, u64) -> Result<()>,
     ) -> Result<Self> {
         let total = layout.words()?;
-        let encoder = Encoder { format, layout };
+        let encoder = Encoder::new(format, layout, &target.name())?;
         let file = match target {
             Target::File(path) => Some((path, existing(path)?)),
             Target::Stdout => None,
@@ -131,7 +131,7 @@ impl Sink {
     ///
     /// # Errors
     ///
-    /// [`Error::Output`] if the target is a folder.
+    /// [`Error::Output`] if the target is a folder, [`Error::Arguments`] as [`Sink::open`].
     pub fn is_finished(
         target: &Target,
         format: Format,
@@ -139,7 +139,9 @@ impl Sink {
         origin: &Origin,
     ) -> Result<bool> {
         match target {
-            Target::File(path) => chunked::is_finished(path, &Encoder { format, layout }, origin),
+            Target::File(path) => {
+                chunked::is_finished(path, &Encoder::new(format, layout, &target.name())?, origin)
+            }
             Target::Stdout => Ok(false),
         }
     }
@@ -192,7 +194,7 @@ impl Sink {
         }
         match self.out {
             Out::Stream(stream) => Ok(Summary {
-                bytes: stream.finish(&self.path)?,
+                bytes: stream.finish(&self.encoder, &self.path)?,
                 sha256: None,
             }),
             Out::File(mut file) => match file.finish() {

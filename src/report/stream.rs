@@ -45,7 +45,8 @@ impl Stream {
     }
 
     /// Writes the rest, and returns the number of bytes in all.
-    pub(super) fn finish(mut self, path: &Path) -> Result<u64> {
+    pub(super) fn finish(mut self, encoder: &Encoder, path: &Path) -> Result<u64> {
+        self.block.extend_from_slice(encoder.footer());
         self.pass_on(path)?;
         let flushed = self.place.flush();
         flushed.map_err(|source| failed("write", path, source))?;

@@ -1,5 +1,6 @@
 //! Rows as text: a line each.
 
+use super::element::{double, leading};
 use super::{Element, Layout};
 use std::fmt::Write;
 
@@ -9,19 +10,28 @@ pub(super) fn csv_header(columns: u32) -> Vec<u8> {
     format!("{}\n", names.join(",")).into_bytes()
 }
 
-/// Appends words as CSV fields, the first of which is the array's word `at`, so that words may
-/// begin and end within a row.
+/// Appends words as CSV fields.
 pub(super) fn csv(layout: &Layout, at: u64, words: &[u32], out: &mut Vec<u8>) {
+    fields(layout, at, words, out, |field, word, end| {
+        number(layout.element, word, field);
+        field.push(if end { '\n' } else { ',' });
+    });
+}
+
+/// Appends words as text, the first of which is the array's word `at`, so that words may begin
+/// and end within a row. `write` appends one, and hears whether it ends a row.
+pub(super) fn fields(
+    layout: &Layout,
+    at: u64,
+    words: &[u32],
+    out: &mut Vec<u8>,
+    write: impl Fn(&mut String, u32, bool),
+) {
     let columns = u64::from(layout.columns);
     let mut field = String::new();
     for (at, &word) in (at..).zip(words) {
         field.clear();
-        number(layout.element, word, &mut field);
-        field.push(if (at + 1).is_multiple_of(columns) {
-            '\n'
-        } else {
-            ','
-        });
+        write(&mut field, word, (at + 1).is_multiple_of(columns));
         out.extend_from_slice(field.as_bytes());
     }
 }
@@ -32,6 +42,8 @@ pub(super) fn number(element: Element, word: u32, out: &mut String) {
     let _ = match element {
         Element::U32 => write!(out, "{word}"),
         Element::F32 => float(f32::from_bits(word), out),
+        Element::U16 => write!(out, "{}", leading(word)),
+        Element::F64 => write!(out, "{}", double(word)),
     };
 }
 

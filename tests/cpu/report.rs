@@ -11,6 +11,8 @@ mod json_schema;
 mod kept;
 #[path = "report/schema.rs"]
 mod schema;
+#[path = "report/source.rs"]
+mod source;
 #[cfg(unix)]
 #[path = "report/system.rs"]
 mod system;
@@ -24,7 +26,13 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 /// Every format.
-const FORMATS: [Format; 3] = [Format::Npy, Format::Raw, Format::Csv];
+const FORMATS: [Format; 5] = [
+    Format::Npy,
+    Format::Raw,
+    Format::Csv,
+    Format::C,
+    Format::Glsl,
+];
 
 fn layout(rows: u64, columns: u32, element: Element) -> Layout {
     Layout {

@@ -2,6 +2,8 @@
 
 #[path = "files/busy.rs"]
 mod busy;
+#[path = "files/formats.rs"]
+mod formats;
 #[path = "files/full.rs"]
 mod full;
 #[path = "files/killed.rs"]

@@ -11,8 +11,8 @@ use crate::report::hexadecimal;
 use crate::report::place::{Existing, cannot_create, existing, failed, refused, sync_folder};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Seek, SeekFrom, Write};
+use std::fs::{self, OpenOptions};
+use std::io::{self, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 /// Words that are encoded between looks at the size of a buffer, and room for their bytes.
@@ -159,6 +159,10 @@ impl Chunked {
     /// Completes the file: all bytes to the disk, then its sidecar, then its name. Returns its
     /// length and its hash.
     pub(in crate::report) fn finish(&mut self) -> Result<(u64, String)> {
+        if !self.encoder.footer().is_empty() {
+            self.piece = self.encoder.footer().to_vec();
+            self.send(Role::Frame)?;
+        }
         self.stop()?;
         let Some(mut written) = self.written.take() else {
             return Err(self.died());
@@ -186,7 +190,7 @@ impl Chunked {
             &chunks,
             &sha256,
         );
-        let described = self.describe(&document)?;
+        let described = sidecar::save(&self.real, &document)?;
         let renamed = fs::rename(&self.partial, &self.real);
         renamed.map_err(|source| {
             // It describes data that is not there.
@@ -196,24 +200,6 @@ impl Chunked {
         let synced = sync_folder(&self.real);
         synced.map_err(|source| failed("sync the folder of", &self.asked, source))?;
         Ok((bytes, sha256))
-    }
-
-    /// Writes the sidecar aside and under its name, which it returns.
-    fn describe(&self, document: &[u8]) -> Result<PathBuf> {
-        let name = Sidecar::path_of(&self.real);
-        let io = |source| failed("write", &name, source);
-        let Existing::File(name) = existing(&name)? else {
-            return Err(io(io::Error::other("it is no regular file any more")));
-        };
-        let aside = beside(&name, PARTIAL);
-        let mut file = File::create(&aside).map_err(io)?;
-        let done = file.write_all(document).and_then(|()| file.sync_all());
-        let done = done.and_then(|()| fs::rename(&aside, &name));
-        done.map_err(|source| {
-            let _ = fs::remove_file(&aside);
-            failed("write", &name, source)
-        })?;
-        Ok(name)
     }
 
     /// Ends an unfinished file. The error comes back with what is kept, if anything is.

@@ -1,11 +1,14 @@
 //! `FILE.json`: what a file holds, what made it, and its hashes.
 
-use super::Chunk;
+use super::{Chunk, PARTIAL, beside};
 use crate::error::{Error, Result};
 use crate::report::encode::Encoder;
+use crate::report::place::{Existing, existing, failed};
 use crate::report::{Element, Format, Layout};
 use serde_json::{Value, json};
 use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Name and version of the form, which `docs/schemas/file-1.json` describes.
@@ -43,6 +46,8 @@ pub struct Sidecar {
     pub format: Format,
     /// Shape and type.
     pub layout: Layout,
+    /// The array's name, in source text.
+    pub name: Option<String>,
     /// Bytes of the file.
     pub bytes: u64,
     /// Rows of each chunk but the last.
@@ -118,6 +123,10 @@ fn read(value: &Value) -> Result<Sidecar, &'static str> {
             device: text("device")?.to_owned(),
         },
         version: text("version")?.to_owned(),
+        name: match value.get("name") {
+            Some(Value::Null) => None,
+            _ => Some(text("name")?.to_owned()),
+        },
         format: text("format")?.parse().map_err(|_| "format")?,
         layout,
         bytes: number("bytes")?,
@@ -137,6 +146,7 @@ pub(super) fn description(origin: &Origin, encoder: &Encoder, chunk_rows: u64) -
         "arguments": origin.arguments,
         "version": env!("CARGO_PKG_VERSION"),
         "format": encoder.format.name(),
+        "name": encoder.name,
         "shape": [layout.rows, layout.columns],
         "type": layout.element.descr(),
         "chunk_rows": chunk_rows,
@@ -158,4 +168,24 @@ pub(super) fn document(
     description["chunks"] = chunks.iter().map(chunk).collect();
     description["sha256"] = json!(sha256);
     format!("{description:#}\n").into_bytes()
+}
+
+/// Writes the sidecar of a file aside and then under its name, which it returns.
+pub(super) fn save(file: &Path, document: &[u8]) -> Result<PathBuf> {
+    let name = Sidecar::path_of(file);
+    let io = |source| failed("write", &name, source);
+    let Existing::File(name) = existing(&name)? else {
+        return Err(io(io::Error::other("it is no regular file any more")));
+    };
+    let aside = beside(&name, PARTIAL);
+    let written = File::create(&aside).and_then(|mut file| {
+        file.write_all(document)?;
+        file.sync_all()?;
+        fs::rename(&aside, &name)
+    });
+    written.map_err(|source| {
+        let _ = fs::remove_file(&aside);
+        failed("write", &name, source)
+    })?;
+    Ok(name)
 }

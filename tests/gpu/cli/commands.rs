@@ -143,7 +143,7 @@ fn raw_has_its_description_beside_it() {
             ("bases", json!([3, 2])),
             ("scramble", json!("owen")),
             ("seed", json!(u64::MAX)),
-            ("fractions", json!(true)),
+            ("type", json!("u32")),
             ("map", Value::Null),
             ("profile", json!("exact")),
         ] {
