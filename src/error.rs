@@ -290,6 +290,30 @@ pub enum Error {
         /// What keeps them.
         option: &'static str,
     },
+    /// A file that was not finished, of which some stays.
+    #[error(
+        "{}; {kept} of {total} rows stay in {}: the same command with --resume goes on from there",
+        cause.text_before_more(),
+        path.display()
+    )]
+    Kept {
+        /// What ended the run.
+        cause: Box<Error>,
+        /// Rows in complete chunks.
+        kept: u64,
+        /// Rows in all.
+        total: u64,
+        /// The partial file.
+        path: PathBuf,
+    },
+    /// A file that is not what its arguments make.
+    #[error("{} differs: {problem}; make it again, or fetch it again", path.display())]
+    Differs {
+        /// The file.
+        path: PathBuf,
+        /// What differs first, and how many rows do.
+        problem: String,
+    },
     /// Means of a study that are infinite or NaN.
     #[error(
         "{failures} of {total} means are not finite, the first of {first}: the integrand has an infinite or \
@@ -421,6 +445,7 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::CheckFailed { .. }
+            | Self::Differs { .. }
             | Self::CardsDiffer { .. }
             | Self::Slower { .. }
             | Self::Incomplete { .. }
@@ -452,6 +477,15 @@ impl Error {
             | Self::Paused { .. }
             | Self::NotKept { .. }
             | Self::Shader { .. } => 4,
+            Self::Kept { cause, .. } => cause.exit_code(),
+        }
+    }
+
+    /// The message without the remedy that what follows makes wrong.
+    fn text_before_more(&self) -> String {
+        match self {
+            Self::Interrupted { done, total } => format!("interrupted after {done} of {total}"),
+            other => other.to_string(),
         }
     }
 }

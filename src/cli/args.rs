@@ -3,14 +3,17 @@
 mod merge;
 mod study;
 mod values;
+mod verify;
 
 pub use merge::MergeArgs;
 pub use study::{ConvergeArgs, EstimateArgs, IntegrandsArgs};
 pub use values::{Grid, Param};
+pub use verify::VerifyArgs;
 
 use super::guide;
 use clap::{Args, Parser, Subcommand};
 use corput::catalog::Shard;
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use values::{cells, grid, param, whole};
 
@@ -42,6 +45,8 @@ pub enum Command {
     Generate(Box<GenerateArgs>),
     /// Check that a Zarr store is complete, or add estimates of several ranges exactly.
     Merge(MergeArgs),
+    /// Make a file of points again from its FILE.json, and compare.
+    Verify(VerifyArgs),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),
     /// List the integrands: parameters, dimensions, formula, integral, error of their terms.
@@ -143,7 +148,8 @@ pub struct DevicesArgs {
     pub json: bool,
 }
 
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[command(after_help = "`corput generate --help` says what each sequence is, and what it takes.")]
 #[command(after_long_help = guide::generate())]
 pub struct GenerateArgs {
@@ -153,13 +159,16 @@ pub struct GenerateArgs {
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub count: Option<u64>,
     /// blue-noise-mask: pixels along a side, 4 to 256.
+    #[serde(skip)]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub size: Option<u64>,
     /// blue-noise-mask: values of a pixel, 1 or 2 [default: 1].
+    #[serde(skip)]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub channels: Option<u64>,
     /// blue-noise-mask: frames of a mask over time, 1 to 16; size x size x frames is at
     /// most 65536 [default: 1].
+    #[serde(skip)]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub frames: Option<u64>,
     /// Index of the first point.
@@ -193,7 +202,13 @@ pub struct GenerateArgs {
     /// korobov: the generator [default: that published for the number of points].
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub generator: Option<u64>,
-    /// Write u32 fractions of 2^32 instead of f32.
+    /// f32; or fractions of 2^32 as u32, as u16 (their leading bits) or as f64 (all of them)
+    /// [default: f32].
+    #[serde(rename = "type")]
+    #[arg(long = "type", value_name = "TYPE")]
+    pub element: Option<String>,
+    /// As --type u32.
+    #[serde(skip)]
     #[arg(long)]
     pub fractions: bool,
     #[arg(help = guide::maps())]
@@ -221,18 +236,33 @@ pub struct GenerateArgs {
     pub profile: String,
     /// Device by index or part of its name; cpu for none; auto for whichever of the default device
     /// and the CPU is faster in a trial of a tenth of a second each, which standard error reports.
+    #[serde(skip)]
     #[arg(long)]
     pub device: Option<String>,
-    /// npy, raw, csv or zarr; of blue-noise-mask npy, png or exr [default: from the file's ending; npy on standard output].
+    /// npy, raw, csv, c-header or glsl, an array, or zarr; of blue-noise-mask npy, png or exr
+    /// [default: from the file's ending; npy on standard output].
+    #[serde(skip)]
     #[arg(long)]
     pub format: Option<String>,
     /// Make share I of N, from 0, of a Zarr store's chunks: other machines make the others in
     /// the same folder. Chunks that are there and whole are kept.
+    #[serde(skip)]
     #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
     pub shard: Option<Shard>,
-    /// The file, or the folder of a Zarr store; - is standard output.
+    /// The file, or the folder of a Zarr store; - is standard output. FILE.json beside a file
+    /// records arguments and hashes.
+    #[serde(skip)]
     #[arg(long)]
     pub out: PathBuf,
+    /// Go on from the complete chunks that a run with these arguments left when it was cut off;
+    /// without this they are discarded.
+    #[serde(skip)]
+    #[arg(long)]
+    pub resume: bool,
+    /// Rows of a chunk, the unit of what is kept and hashed [default: those of about 64 MiB].
+    #[serde(skip)]
+    #[arg(long, value_parser = whole, allow_hyphen_values = true)]
+    pub chunk_rows: Option<u64>,
 }
 
 #[derive(Debug, Args)]

@@ -1,12 +1,13 @@
 //! `corput generate`.
 
 use super::args::GenerateArgs;
+use super::arguments::origin;
 use super::{guide, host, interrupt, maps, mask, points, progress, store};
 use corput::catalog::{Engine, Options, Order, Output, Profile, Request, Scramble, Sequence};
-use corput::report::{Element, Format, Layout, Sink, Target};
+use corput::report::{Element, Format, Keeping, Layout, Origin, Sink, Target};
 use corput::vulkan::Device;
 use corput::{Error, Result};
-use serde_json::{Value, json};
+use indicatif::ProgressBar;
 use std::sync::Arc;
 
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
@@ -24,28 +25,58 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
         return store::run(args, &request);
     }
     let (target, format) = output(args)?;
-    let layout = layout(&request);
+    let layout = layout(&request, element(args)?);
     let mut maker = Maker::new(&request, args.device.as_deref())?;
     interrupt::clean_up();
-    let sink = Sink::open(
-        &target,
-        format,
-        layout,
-        arguments(args, request.scramble, maker.device.as_ref()),
-    )?;
-    stream(maker.engine.as_mut(), layout, sink)?;
+    let origin = origin(args, Some(request.scramble), maker.device.as_ref())?;
+    if let Some(sink) = open(args, &target, format, layout, origin)? {
+        stream(maker.engine.as_mut(), layout, sink)?;
+    }
     Ok(maker.validated()?)
 }
 
+/// The type of the file's elements.
+///
+/// # Errors
+/// [`Error::UnknownName`], and [`Error::Arguments`] for two types, or other than floats of a map.
+pub fn element(args: &GenerateArgs) -> Result<Element> {
+    let Some(name) = &args.element else {
+        return Ok(if args.fractions {
+            Element::U32
+        } else {
+            Element::F32
+        });
+    };
+    let element = Element::from_name(name)?;
+    let refused = |with: &str, limit: &str| Error::Arguments {
+        asked: format!("--type {name} with {with}"),
+        limit: limit.into(),
+        remedy: "drop one of the two".into(),
+    };
+    if args.fractions && element != Element::U32 {
+        return Err(refused("--fractions", "--fractions means --type u32"));
+    }
+    if args.map.is_some() && element != Element::F32 {
+        let limit = "a map's results are floats; only points have fractions";
+        return Err(refused("--map", limit));
+    }
+    Ok(element)
+}
+
+/// What an engine must make for elements of a type.
+pub fn words(element: Element) -> Output {
+    match element {
+        Element::F32 => Output::Floats,
+        Element::U32 | Element::U16 | Element::F64 => Output::Fractions,
+    }
+}
+
 /// Shape and type of the points of a request.
-pub fn layout(request: &Request) -> Layout {
+pub fn layout(request: &Request, element: Element) -> Layout {
     Layout {
         rows: request.count,
         columns: request.words_per_point(),
-        element: match request.output {
-            Output::Fractions => Element::U32,
-            Output::Floats => Element::F32,
-        },
+        element,
     }
 }
 
@@ -71,6 +102,27 @@ impl Maker {
     }
 }
 
+/// The output, begun or taken up again; none where it is finished already.
+pub fn open(
+    args: &GenerateArgs,
+    target: &Target,
+    format: Format,
+    layout: Layout,
+    origin: Origin,
+) -> Result<Option<Sink>> {
+    if args.resume && Sink::is_finished(target, format, layout, &origin)? {
+        let file = args.out.display();
+        eprintln!("corput: {file} is finished; `corput verify {file}` checks it");
+        return Ok(None);
+    }
+    let keeping = Keeping {
+        resume: args.resume,
+        chunk_rows: args.chunk_rows,
+    };
+    let mut watch = interrupt::stop;
+    Sink::keeping(target, format, layout, origin, keeping, &mut watch).map(Some)
+}
+
 /// Where the points go, and as what.
 pub fn output(args: &GenerateArgs) -> Result<(Target, Format)> {
     let target = Target::from(args.out.as_path());
@@ -91,7 +143,8 @@ pub fn count(args: &GenerateArgs) -> Result<u64> {
     })
 }
 
-fn request(args: &GenerateArgs) -> Result<Request> {
+/// The points that the arguments describe.
+pub fn request(args: &GenerateArgs) -> Result<Request> {
     let sequence = Sequence::from_name(&args.sequence)
         .map_err(|_| Error::unknown_name("sequence", &args.sequence, &guide::known()))?;
     let map = maps::mapping(args)?;
@@ -115,7 +168,7 @@ fn request(args: &GenerateArgs) -> Result<Request> {
         order: Order::from_name(&args.order)?,
         grid: args.grid.as_ref().map(|grid| grid.0.clone()),
         generator: args.generator,
-        fractions: args.fractions,
+        fractions: words(element(args)?) == Output::Fractions,
         map,
         with_pdf: args.with_pdf,
         profile: Profile::from_name(&args.profile)?,
@@ -133,11 +186,28 @@ pub fn scramble(sequence: Sequence, name: &str) -> Result<Scramble> {
     })
 }
 
-/// Chunk after chunk from the engine to the file.
+/// Piece after piece from the engine to the file.
 pub fn stream(engine: &mut dyn Engine, layout: Layout, mut sink: Sink) -> Result<()> {
     let bar = progress::points(layout.rows);
+    // What is there already counts for no rate.
+    bar.set_position(sink.rows());
+    bar.reset_eta();
+    match produce(engine, layout, &mut sink, &bar) {
+        Ok(()) => sink.finish()?,
+        Err(cause) => return Err(sink.abandon(cause)),
+    };
+    bar.finish_and_clear();
+    Ok(())
+}
+
+fn produce(
+    engine: &mut dyn Engine,
+    layout: Layout,
+    sink: &mut Sink,
+    bar: &ProgressBar,
+) -> Result<()> {
     let width = u64::from(layout.columns);
-    let mut done = 0;
+    let mut done = sink.rows();
     while done < layout.rows {
         let points = engine.chunk().clamp(1, layout.rows - done);
         engine.make(done, points, &mut |words| {
@@ -148,35 +218,5 @@ pub fn stream(engine: &mut dyn Engine, layout: Layout, mut sink: Sink) -> Result
         })?;
         done += points;
     }
-    sink.finish()?;
-    bar.finish_and_clear();
     Ok(())
-}
-
-/// What a sidecar records: the arguments, and nothing that changes the bytes of the
-/// exact profile but them.
-pub fn arguments(args: &GenerateArgs, scramble: Scramble, device: Option<&Arc<Device>>) -> Value {
-    json!({
-        "sequence": args.sequence,
-        "count": args.count,
-        "first": args.first,
-        "dims": args.dims,
-        "bases": args.bases,
-        "total": args.total,
-        "index_first": args.index_first,
-        "seed": args.seed.unwrap_or(0),
-        "scramble": scramble.name(),
-        "order": args.order,
-        "grid": args.grid.as_ref().map(|grid| &grid.0),
-        "generator": args.generator,
-        "fractions": args.fractions,
-        "map": args.map,
-        "param": args.param.iter().map(|p| (p.name.clone(), json!(p.numbers))).collect::<serde_json::Map<_, _>>(),
-        "env": args.env,
-        "env_weight": args.env_weight,
-        "compensated": args.compensated,
-        "with_pdf": args.with_pdf,
-        "profile": args.profile,
-        "device": device.map_or_else(|| "cpu".to_owned(), |device| host::line(device.info())),
-    })
 }

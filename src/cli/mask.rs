@@ -84,6 +84,9 @@ fn refuse_points(args: &GenerateArgs) -> Result<()> {
         || args.scramble.is_some()
         || args.grid.is_some()
         || args.generator.is_some()
+        || args.element.is_some()
+        || args.resume
+        || args.chunk_rows.is_some()
         || args.order != "natural";
     let mapped =
         args.map.is_some() || args.with_pdf || !args.param.is_empty() || args.env.is_some();
@@ -91,7 +94,7 @@ fn refuse_points(args: &GenerateArgs) -> Result<()> {
         return Err(refusal(
             format!(
                 "--count, --first, --dims, --bases, --total, --index-first, --scramble, --order, --grid, \
-                 --generator, --map, --param, --env or --with-pdf with {NAME}"
+                 --generator, --type, --resume, --chunk-rows, --map, --param, --env or --with-pdf with {NAME}"
             ),
             "only points have them; a mask has --size, --channels and --frames",
             "drop them",

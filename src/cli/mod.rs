@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod args;
+mod arguments;
 mod auto;
 mod bench;
 mod check;
@@ -31,6 +32,7 @@ mod scene;
 mod store;
 mod strip;
 mod vectors;
+mod verify;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -48,6 +50,7 @@ pub fn main() -> ExitCode {
         Command::Devices(args) => devices::run(args),
         Command::Generate(args) => generate::run(args),
         Command::Merge(args) => merge::run(args),
+        Command::Verify(args) => verify::run(args),
         Command::Maps(args) => maps::run(args),
         Command::Integrands(args) => integrands::run(args),
         Command::Estimate(args) => estimate::run(args),

@@ -1,12 +1,13 @@
 //! `corput generate blue-noise`: points that the host makes all at once.
 
 use super::args::GenerateArgs;
-use super::generate::{arguments, count, output, stream};
+use super::arguments::origin;
+use super::generate::{count, element, open, output, stream, words};
 use super::{host, interrupt, maps, mask};
 use corput::blue_noise::{blue_noise_points, check_count};
 use corput::bulk::Stored;
-use corput::catalog::{Guide, Output, Profile, Scramble, check_map};
-use corput::report::{Element, Layout, Sink};
+use corput::catalog::{Guide, Output, Profile, check_map};
+use corput::report::Layout;
 use corput::{Error, Result};
 
 /// The name on the command line.
@@ -24,46 +25,48 @@ pub const GUIDE: Guide = Guide {
 const DIMENSIONS: u64 = 2;
 
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
+    let (target, format) = output(args)?;
+    let (mut stored, layout) = prepare(args)?;
+    interrupt::clean_up();
+    if let Some(sink) = open(args, &target, format, layout, origin(args, None, None)?)? {
+        place(args, &mut stored, layout)?;
+        stream(&mut stored, layout, sink)?;
+    }
+    Ok(())
+}
+
+/// Checks the arguments. The engine has no points yet: they take long.
+pub fn prepare(args: &GenerateArgs) -> Result<(Stored, Layout)> {
     mask::refuse(args)?;
     refuse(args)?;
     let map = maps::mapping(args)?;
+    let element = element(args)?;
+    let output = words(element);
     check_map(
         map.as_ref(),
         DIMENSIONS as u32,
-        args.fractions,
+        output == Output::Fractions,
         args.with_pdf,
     )?;
-    let profile = profile(args)?;
-    let (target, format) = output(args)?;
-    let words = match args.fractions {
-        true => Output::Fractions,
-        false => Output::Floats,
-    };
-    let mut stored = Stored {
+    let stored = Stored {
         points: Vec::new(),
-        output: words,
+        output,
         map,
         with_pdf: args.with_pdf,
-        profile,
+        profile: profile(args)?,
     };
     let layout = Layout {
         rows: count(args)?,
         columns: stored.words_per_point(),
-        element: match words {
-            Output::Fractions => Element::U32,
-            Output::Floats => Element::F32,
-        },
+        element,
     };
     check_count(layout.rows)?;
-    interrupt::clean_up();
-    let sink = Sink::open(
-        &target,
-        format,
-        layout,
-        arguments(args, Scramble::None, None),
-    )?;
+    Ok((stored, layout))
+}
+
+/// Makes the points.
+pub fn place(args: &GenerateArgs, stored: &mut Stored, layout: Layout) -> Result<()> {
     stored.points = blue_noise_points(layout.rows, args.seed.unwrap_or(0))?;
-    stream(&mut stored, layout, sink)?;
     Ok(())
 }
 

@@ -1,15 +1,13 @@
 //! `corput generate` into a Zarr store: the chunks of a shard, those that are there kept.
 
 use super::args::GenerateArgs;
-use super::generate::{Maker, arguments, layout};
-use super::{interrupt, mask, points, progress};
-use corput::catalog::{Engine, Profile, Request, Shard};
-use corput::report::hexadecimal;
+use super::generate::{Maker, element, layout};
+use super::{arguments, interrupt, mask, points, progress};
+use corput::catalog::{Engine, Request, Shard};
 use corput::report::zarr::Store;
 use corput::vulkan::Device;
 use corput::{Error, Result};
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 use std::ops::Range;
 use std::panic::resume_unwind;
 use std::path::Path;
@@ -49,6 +47,11 @@ pub fn asked(args: &GenerateArgs) -> Result<bool> {
             "it is a folder",
             "name one, as --out store.zarr",
         ),
+        _ if store && args.chunk_rows.is_some() => refused(
+            "--chunk-rows for a Zarr store".to_owned(),
+            "its chunks follow from the number of columns, so that all machines have the same",
+            "drop --chunk-rows",
+        ),
         Some(shard) if !store => refused(
             format!("--shard {shard} into {}", args.out.display()),
             "several machines can write one Zarr store, and no other format",
@@ -62,7 +65,8 @@ pub fn run(args: &GenerateArgs, request: &Request) -> anyhow::Result<()> {
     let mut maker = Maker::new(request, args.device.as_deref())?;
     let origin = origin(args, request, maker.device.as_ref())?;
     interrupt::clean_up();
-    let store = Store::create(&args.out, layout(request), &origin)?;
+    let layout = layout(request, element(args)?);
+    let store = Store::create(&args.out, layout, &origin)?;
     let shard = args.shard.unwrap_or(Shard::WHOLE);
     let chunks = shard.of(store.chunks());
     if chunks.is_empty() {
@@ -167,22 +171,10 @@ fn length(range: &Range<u64>) -> u64 {
 /// What makes the array again, with nothing in it that differs between machines: no device in
 /// the exact profile, and a picture by what it holds.
 fn origin(args: &GenerateArgs, request: &Request, device: Option<&Arc<Device>>) -> Result<Value> {
-    let mut arguments = arguments(args, request.scramble, device);
-    if let Some(members) = arguments.as_object_mut() {
-        if request.profile == Profile::Exact {
-            members.remove("device");
-        }
-        if let Some(path) = &args.env {
-            let picture = std::fs::read(path).map_err(|source| Error::Io {
-                action: "read",
-                path: path.clone(),
-                source,
-            })?;
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            let sha256 = hexadecimal(&Sha256::digest(picture));
-            members.insert("env".into(), json!(name));
-            members.insert("env_sha256".into(), json!(sha256));
-        }
+    let mut arguments = arguments::origin(args, Some(request.scramble), device)?.arguments;
+    if let Some(path) = &args.env {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        arguments["env"] = json!(name);
     }
     Ok(json!({ "version": env!("CARGO_PKG_VERSION"), "arguments": arguments }))
 }

@@ -1,8 +1,7 @@
-//! Words to bytes: the `.npy` header, little-endian words, CSV text.
+//! Words to bytes: headers, rows and what stands at the end.
 
-use std::io::{self, Write};
-
-use super::{Element, Layout};
+use super::{Element, Format, Layout, source, text};
+use crate::error::Result;
 
 /// Where the data of an `.npy` file starts: a page, so that a memory map or
 /// an imported host pointer of the data is aligned.
@@ -23,7 +22,7 @@ pub fn npy_header(layout: &Layout) -> Vec<u8> {
 pub fn npy_array(element: Element, shape: &[u32], words: &[u32]) -> Vec<u8> {
     let axes: String = shape.iter().map(|axis| format!("{axis}, ")).collect();
     let mut bytes = header_of(element, &format!("({})", axes.trim_end()));
-    bytes.extend(words.iter().flat_map(|word| word.to_le_bytes()));
+    element.append(words, &mut bytes);
     bytes
 }
 
@@ -44,62 +43,71 @@ fn header_of(element: Element, shape: &str) -> Vec<u8> {
     header
 }
 
-/// Writes words little-endian; on a little-endian host without a copy.
-pub(super) fn write_words(out: &mut impl Write, words: &[u32]) -> io::Result<()> {
-    if cfg!(target_endian = "little") {
-        return out.write_all(bytemuck::cast_slice(words));
-    }
-    for word in words {
-        out.write_all(&word.to_le_bytes())?;
-    }
-    Ok(())
+/// The bytes of one array in one format: a header, the rows, and an end.
+#[derive(Clone, Debug)]
+pub(super) struct Encoder {
+    pub(super) format: Format,
+    pub(super) layout: Layout,
+    /// The array's name in source text; none in data.
+    pub(super) name: Option<String>,
 }
 
-/// The first line of a CSV file: `x0,x1,...`.
-pub(super) fn csv_header(columns: u32) -> Vec<u8> {
-    let mut header = Vec::new();
-    for column in 0..columns {
-        let end = if column + 1 == columns { '\n' } else { ',' };
-        header.extend_from_slice(format!("x{column}{end}").as_bytes());
+impl Encoder {
+    /// `file` is the name of the file, after which an array in source text is called.
+    ///
+    /// # Errors
+    /// [`crate::Error::Arguments`] for an impossible layout, or one that source text cannot hold.
+    pub(super) fn new(format: Format, layout: Layout, file: &str) -> Result<Self> {
+        layout.words()?;
+        let name = match format.is_source() {
+            true => Some(source::name(format, &layout, file)?),
+            false => None,
+        };
+        Ok(Self {
+            format,
+            layout,
+            name,
+        })
     }
-    header
-}
 
-/// Writes words as CSV fields. `column` is the column of the next word and is
-/// carried from call to call, so a chunk may end within a row.
-pub(super) fn write_csv(
-    out: &mut impl Write,
-    words: &[u32],
-    element: Element,
-    columns: u32,
-    column: &mut u32,
-) -> io::Result<()> {
-    for &word in words {
-        match element {
-            Element::U32 => write!(out, "{word}")?,
-            Element::F32 => write_f32(out, f32::from_bits(word))?,
-        }
-        *column += 1;
-        if *column == columns {
-            *column = 0;
-            out.write_all(b"\n")?;
-        } else {
-            out.write_all(b",")?;
+    fn name(&self) -> &str {
+        self.name.as_deref().unwrap_or_default()
+    }
+
+    /// What stands before the first row.
+    pub(super) fn header(&self) -> Vec<u8> {
+        match self.format {
+            Format::Npy => npy_header(&self.layout),
+            Format::Raw => Vec::new(),
+            Format::Csv => text::csv_header(self.layout.columns),
+            Format::C => source::c_header(&self.layout, self.name()),
+            Format::Glsl => source::glsl_header(&self.layout, self.name()),
         }
     }
-    Ok(())
-}
 
-/// Writes the fewest decimal digits that read back as the same float.
-///
-/// Outside [1e-4, 1e16) with an exponent: plain notation would print 2^-149
-/// with 45 zeros. A NaN is `NaN`: its payload has no decimal form.
-fn write_f32(out: &mut impl Write, value: f32) -> io::Result<()> {
-    let magnitude = value.abs();
-    let plain = value == 0.0 || (1e-4..1e16).contains(&magnitude) || !value.is_finite();
-    if plain {
-        write!(out, "{value}")
-    } else {
-        write!(out, "{value:e}")
+    /// What stands after the last row.
+    pub(super) fn footer(&self) -> &'static [u8] {
+        match self.format {
+            Format::Npy | Format::Raw | Format::Csv => b"",
+            Format::C => source::C_FOOTER,
+            Format::Glsl => source::GLSL_FOOTER,
+        }
+    }
+
+    /// Bytes of a row in binary formats. In text each row is a line.
+    pub(super) fn row_bytes(&self) -> Option<u64> {
+        let row = u64::from(self.layout.columns) * self.layout.element.bytes();
+        (!self.format.is_text()).then_some(row)
+    }
+
+    /// Appends the bytes of words, the first of which is the array's word `at`.
+    pub(super) fn append(&self, at: u64, words: &[u32], out: &mut Vec<u8>) {
+        let layout = &self.layout;
+        match self.format {
+            Format::Npy | Format::Raw => layout.element.append(words, out),
+            Format::Csv => text::csv(layout, at, words, out),
+            Format::C => source::c(layout, at, words, out),
+            Format::Glsl => source::glsl(layout, at, words, out),
+        }
     }
 }

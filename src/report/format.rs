@@ -15,13 +15,19 @@ pub enum Format {
     Raw,
     /// Text with the header `x0,x1,...` (ending `.csv`).
     Csv,
+    /// A C header with one array of numbers that read back as the same bits (ending `.h`).
+    C,
+    /// A GLSL array of `uint`: the bits of floats, or integers (ending `.glsl`).
+    Glsl,
 }
 
 /// Each name and the endings that stand for it.
-const FORMATS: [(Format, &str, &[&str]); 3] = [
+const FORMATS: [(Format, &str, &[&str]); 5] = [
     (Format::Npy, "npy", &["npy"]),
     (Format::Raw, "raw", &["raw", "bin"]),
     (Format::Csv, "csv", &["csv"]),
+    (Format::C, "c-header", &["h"]),
+    (Format::Glsl, "glsl", &["glsl"]),
 ];
 
 impl Format {
@@ -32,7 +38,21 @@ impl Format {
             Self::Npy => "npy",
             Self::Raw => "raw",
             Self::Csv => "csv",
+            Self::C => "c-header",
+            Self::Glsl => "glsl",
         }
+    }
+
+    /// Whether it is text, a row a line.
+    #[must_use]
+    pub const fn is_text(self) -> bool {
+        matches!(self, Self::Csv | Self::C | Self::Glsl)
+    }
+
+    /// Whether a compiler reads it.
+    #[must_use]
+    pub const fn is_source(self) -> bool {
+        matches!(self, Self::C | Self::Glsl)
     }
 
     /// The format that a file's ending stands for, in upper or lower case.
@@ -62,7 +82,7 @@ impl Format {
                 .and_then(|e| nearest(e, endings))
                 .map(|e| format!(".{e}")),
             name,
-            known: "the file endings .npy, .raw, .bin, .csv and .zarr; or give --format npy, raw, csv or zarr"
+            known: "the file endings .npy, .raw, .bin, .csv, .h, .glsl and .zarr; or give --format npy, raw, csv, c-header, glsl or zarr"
                 .to_owned(),
         })
     }
@@ -79,7 +99,7 @@ impl FromStr for Format {
             kind: "format",
             name: name.to_owned(),
             nearest: nearest(name, FORMATS.iter().map(|row| row.1)).map(str::to_owned),
-            known: "npy, raw, csv, zarr".to_owned(),
+            known: "npy, raw, csv, c-header, glsl, zarr".to_owned(),
         })
     }
 }

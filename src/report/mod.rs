@@ -1,10 +1,11 @@
-//! Results to bytes: `.npy`, raw with a JSON sidecar, and CSV, into a file or
-//! standard output, Zarr stores ([`zarr`]); and `.npy` files back to points.
+//! Results to bytes: `.npy`, raw and text, into a file or standard output, and Zarr stores
+//! ([`zarr`]); and `.npy` files back to points.
 //!
-//! A [`Sink`] takes rows of 32-bit words in chunks of any size. A file is
+//! A [`Sink`] takes rows of 32-bit words in pieces of any size. A file is
 //! written beside its final name and renamed at the end, so a run that dies
-//! leaves nothing under that name, and what stood there before stays whole.
-//! Memory use does not grow with the number of rows.
+//! leaves nothing under that name, and what stood there before stays whole. Beside it
+//! stands a [`Sidecar`], by which a [`Comparison`] checks it. What a run left that was cut off
+//! is taken up again by [`Sink::keeping`]. Memory use does not grow with the number of rows.
 //!
 //! ```
 //! use corput::report::{Element, Format, Layout, Sink, Target};
@@ -20,6 +21,9 @@
 //! # Ok::<(), corput::Error>(())
 //! ```
 
+mod chunked;
+mod compare;
+mod element;
 mod encode;
 mod escape;
 mod format;
@@ -27,8 +31,14 @@ mod page;
 mod place;
 mod read;
 mod sink;
+mod source;
+mod stream;
+mod text;
 pub mod zarr;
 
+pub use chunked::{Chunk, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows};
+pub use compare::Comparison;
+pub use element::Element;
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
 pub use escape::escape;
 pub use format::Format;
@@ -36,6 +46,7 @@ pub use page::page;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};
 pub use sink::{Sink, Summary, hexadecimal};
+pub use source::MAX_SOURCE_VALUES;
 
 use crate::error::{Error, Result};
 use place::{Place, failed};
@@ -115,7 +126,7 @@ impl Document {
     ///
     /// [`Error::Output`] if it cannot be created, or is a terminal.
     pub fn open(target: &Target) -> Result<Self> {
-        // Every format but CSV is binary.
+        // Small files are taken for binary ones.
         let (place, path) = Place::open(target, Format::Npy)?;
         Ok(Self { place, path })
     }
@@ -140,26 +151,6 @@ impl Document {
     }
 }
 
-/// What a 32-bit word of the data is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Element {
-    /// An unsigned integer, such as a u0.32 fraction.
-    U32,
-    /// An IEEE single, handed over as its bits.
-    F32,
-}
-
-impl Element {
-    /// NumPy's name of the type, little-endian: `<u4` or `<f4`.
-    #[must_use]
-    pub const fn descr(self) -> &'static str {
-        match self {
-            Self::U32 => "<u4",
-            Self::F32 => "<f4",
-        }
-    }
-}
-
 /// Shape and type of the data: `rows` x `columns`, row-major.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
@@ -167,7 +158,7 @@ pub struct Layout {
     pub rows: u64,
     /// Words in a row: at least 1.
     pub columns: u32,
-    /// What each word is.
+    /// What the array holds for each word.
     pub element: Element,
 }
 

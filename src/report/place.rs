@@ -30,6 +30,20 @@ impl<P: Into<PathBuf>> From<P> for Target {
     }
 }
 
+impl Target {
+    /// The name of the file without its folder.
+    pub(super) fn name(&self) -> String {
+        match self {
+            Self::File(path) => path
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into(),
+            Self::Stdout => "stdout".to_owned(),
+        }
+    }
+}
+
 /// An open destination.
 pub(super) enum Place {
     /// Written aside; `commit` gives it its name.
@@ -46,7 +60,7 @@ impl Place {
             Target::Stdout => {
                 let out = io::stdout();
                 let path = PathBuf::from("standard output");
-                if format != Format::Csv && out.is_terminal() {
+                if !format.is_text() && out.is_terminal() {
                     return Err(refused(
                         &path,
                         "it is a terminal, and the data is binary",
@@ -121,26 +135,6 @@ impl Aside {
         })
     }
 
-    /// The same for `FILE.json`, to go beside this file.
-    pub(super) fn sidecar(&self) -> Result<Self> {
-        let mut name = OsString::from(&self.real);
-        name.push(".json");
-        let asked = PathBuf::from(name);
-        match existing(&asked)? {
-            Existing::File(real) => Self::create(&asked, real),
-            Existing::Device => Err(refused(
-                &asked,
-                "it is no regular file",
-                "give the output another name",
-            )),
-        }
-    }
-
-    /// The final name, symbolic links resolved.
-    pub(super) fn real(&self) -> &Path {
-        &self.real
-    }
-
     /// Writes all bytes, for small files.
     pub(super) fn fill(&mut self, bytes: &[u8]) -> Result<()> {
         self.file
@@ -174,7 +168,7 @@ impl Drop for Aside {
 }
 
 /// What stands under a final name.
-enum Existing {
+pub(super) enum Existing {
     /// A device or pipe.
     Device,
     /// A regular file or nothing, under this name without symbolic links.
@@ -182,7 +176,7 @@ enum Existing {
 }
 
 /// Looks at what is there, and refuses what cannot become the output.
-fn existing(path: &Path) -> Result<Existing> {
+pub(super) fn existing(path: &Path) -> Result<Existing> {
     let ends_in_separator = path
         .as_os_str()
         .as_encoded_bytes()
@@ -250,7 +244,7 @@ pub(super) fn failed(action: &'static str, path: &Path, source: io::Error) -> Er
     }
 }
 
-fn refused(path: &Path, problem: impl Into<String>, remedy: impl Into<String>) -> Error {
+pub(super) fn refused(path: &Path, problem: impl Into<String>, remedy: impl Into<String>) -> Error {
     Error::Output {
         path: path.to_owned(),
         problem: problem.into(),
@@ -259,7 +253,7 @@ fn refused(path: &Path, problem: impl Into<String>, remedy: impl Into<String>) -
 }
 
 /// Why `made` could not be created on behalf of `asked`.
-fn cannot_create(asked: &Path, made: &Path, source: &io::Error) -> Error {
+pub(super) fn cannot_create(asked: &Path, made: &Path, source: &io::Error) -> Error {
     let folder = folder_of(made);
     let shown = folder.display();
     match source.kind() {

@@ -1,91 +1,155 @@
 //! The writer: rows in, a finished file out.
 
-use std::io::{self, BufWriter, Write};
+use std::io;
 use std::path::PathBuf;
 
-use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
-
-use super::encode::{csv_header, npy_header, write_csv, write_words};
-use super::place::{Aside, Place, Target, failed};
+use super::chunked::{self, Chunked, Keeping, Origin};
+use super::encode::Encoder;
+use super::place::{Existing, Place, Target, existing, failed};
+use super::stream::Stream;
 use super::{Format, Layout};
 use crate::error::{Error, Result};
-
-/// Small writes are gathered up to this many bytes; larger ones pass through.
-const BLOCK: usize = 1 << 20;
 
 /// What was written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
     /// Bytes of the file, header included, sidecar not.
     pub bytes: u64,
-    /// SHA-256 of the file in lower-case hexadecimal, for [`Format::Raw`],
-    /// whose sidecar holds it. The other formats are not hashed: it would take
-    /// longer than writing them.
+    /// SHA-256 of a regular file in lower-case hexadecimal, which its sidecar holds too.
+    /// Streams are not hashed.
     pub sha256: Option<String>,
 }
 
 /// Takes the data of one array, chunk by chunk, and makes the file of it.
 ///
-/// Dropped without [`Sink::finish`], it removes what it wrote.
+/// A regular file gets a [`Sidecar`](super::Sidecar) beside it. It is written, synced and
+/// hashed by two threads of its own, over four buffers of 16 MiB. Dropped without
+/// [`Sink::finish`], it removes what it wrote, or keeps it as [`Sink::keeping`] says.
 pub struct Sink {
-    out: BufWriter<Counted>,
-    sidecar: Option<Aside>,
+    out: Out,
+    encoder: Encoder,
     /// The target as messages name it.
     path: PathBuf,
-    format: Format,
-    layout: Layout,
-    arguments: Value,
     /// Words in the whole array, and those taken so far.
     total: u64,
     taken: u64,
-    /// Column of the next word, in CSV.
-    column: u32,
     broken: bool,
 }
 
+enum Out {
+    File(Box<Chunked>),
+    Stream(Stream),
+}
+
 impl Sink {
-    /// Opens the target for an array of this layout. `arguments` goes into the
-    /// sidecar of a raw file and is otherwise unused.
+    /// Opens the target for an array of this layout. `origin` goes into the sidecar.
     ///
     /// # Errors
     ///
-    /// [`Error::Output`] if the folder does not exist or is not writable, or if
-    /// the target is a folder or, for binary data, a terminal;
+    /// [`Error::Output`] if the folder does not exist or is not writable, if another run is
+    /// writing the file, or if the target is a folder or, for binary data, a terminal;
     /// [`Error::Arguments`] if the layout is impossible; [`Error::Io`] if the
     /// header cannot be written.
-    pub fn open(target: &Target, format: Format, layout: Layout, arguments: Value) -> Result<Self> {
+    pub fn open(
+        target: &Target,
+        format: Format,
+        layout: Layout,
+        origin: impl Into<Origin>,
+    ) -> Result<Self> {
+        Self::make(target, format, layout, origin.into(), None, &mut |_, _| {
+            Ok(())
+        })
+    }
+
+    /// The same for a file that outlives a run which fails: complete chunks stay under a
+    /// partial name, from which a run with [`Keeping::resume`] goes on. It reads them again
+    /// before; `watch` hears how many of how many bytes it has read, and may stop it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Sink::open`]; also [`Error::Output`] if what is to be gone on from is of another
+    /// origin, version or layout, [`Error::Arguments`] for too many chunks, or if a stream is
+    /// to go on, and those of `watch`.
+    pub fn keeping(
+        target: &Target,
+        format: Format,
+        layout: Layout,
+        origin: Origin,
+        keeping: Keeping,
+        watch: &mut dyn FnMut(u64, u64) -> Result<()>,
+    ) -> Result<Self> {
+        Self::make(target, format, layout, origin, Some(keeping), watch)
+    }
+
+    fn make(
+        target: &Target,
+        format: Format,
+        layout: Layout,
+        origin: Origin,
+        keeping: Option<Keeping>,
+        watch: &mut dyn FnMut(u64, u64) -> Result<()>,
+    ) -> Result<Self> {
         let total = layout.words()?;
-        let (place, path) = Place::open(target, format)?;
-        let sidecar = match &place {
-            Place::Aside(data) if format == Format::Raw => Some(data.sidecar()?),
-            _ => None,
+        let encoder = Encoder::new(format, layout, &target.name())?;
+        let file = match target {
+            Target::File(path) => Some((path, existing(path)?)),
+            Target::Stdout => None,
         };
-        let counted = Counted {
-            place,
-            bytes: 0,
-            hash: (format == Format::Raw).then(Sha256::new),
+        let (out, path) = match file {
+            Some((path, Existing::File(real))) => {
+                let file = Chunked::open(path, real, encoder.clone(), origin, keeping, watch)?;
+                (Out::File(Box::new(file)), path.clone())
+            }
+            _ => {
+                let (place, path) = Place::open(target, format)?;
+                if keeping.is_some_and(|keeping| keeping.resume || keeping.chunk_rows.is_some()) {
+                    return Err(Error::Arguments {
+                        asked: format!("--resume or --chunk-rows with {}", path.display()),
+                        limit: "only a regular file has chunks, and can be taken up again".into(),
+                        remedy: "drop them, or give the name of a file".into(),
+                    });
+                }
+                (Out::Stream(Stream::new(place, &encoder)), path)
+            }
         };
-        let mut out = BufWriter::with_capacity(BLOCK, counted);
-        let header = match format {
-            Format::Npy => npy_header(&layout),
-            Format::Raw => Vec::new(),
-            Format::Csv => csv_header(layout.columns),
+        let start = match &out {
+            Out::File(file) => file.start(),
+            Out::Stream(_) => 0,
         };
-        out.write_all(&header)
-            .map_err(|e| failed("write", &path, e))?;
         Ok(Self {
             out,
-            sidecar,
             path,
-            format,
-            layout,
-            arguments,
             total,
-            taken: 0,
-            column: 0,
+            taken: start * u64::from(layout.columns),
             broken: false,
+            encoder,
         })
+    }
+
+    /// Whether a file of this layout and origin is finished under this name, so that there is
+    /// nothing to go on with. Its bytes are not read.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Output`] if the target is a folder, [`Error::Arguments`] as [`Sink::open`].
+    pub fn is_finished(
+        target: &Target,
+        format: Format,
+        layout: Layout,
+        origin: &Origin,
+    ) -> Result<bool> {
+        match target {
+            Target::File(path) => {
+                chunked::is_finished(path, &Encoder::new(format, layout, &target.name())?, origin)
+            }
+            Target::Stdout => Ok(false),
+        }
+    }
+
+    /// Rows taken so far, those of an earlier run among them.
+    #[must_use]
+    pub fn rows(&self) -> u64 {
+        self.taken / u64::from(self.encoder.layout.columns)
     }
 
     /// Appends words, row-major; floats as their bits. A chunk may begin and
@@ -95,7 +159,7 @@ impl Sink {
     ///
     /// [`Error::Io`] if they cannot be written: the disk is full, the pipe is
     /// closed; [`Error::Arguments`] if they are more than the layout has. The
-    /// sink is of no more use then.
+    /// sink is of no more use then. What a file says may be of earlier words.
     pub fn write(&mut self, words: &[u32]) -> Result<()> {
         self.still_whole()?;
         // Until the words are written, so that an error cannot be passed over.
@@ -104,71 +168,53 @@ impl Sink {
         if taken > self.total {
             return Err(self.miscounted(taken));
         }
-        let Self {
-            out,
-            layout,
-            column,
-            ..
-        } = self;
-        match self.format {
-            Format::Npy | Format::Raw => write_words(out, words),
-            Format::Csv => write_csv(out, words, layout.element, layout.columns, column),
+        match &mut self.out {
+            Out::File(file) => file.write(self.taken, words)?,
+            Out::Stream(stream) => stream.write(&self.encoder, self.taken, words, &self.path)?,
         }
-        .map_err(|e| failed("write", &self.path, e))?;
         self.taken = taken;
         self.broken = false;
         Ok(())
     }
 
-    /// Completes the file: all bytes to the disk, then the final name. A raw
-    /// file's sidecar takes its name first and the data last. A crash between
-    /// the two leaves a sidecar whose SHA-256 matches no data, which shows;
-    /// the other order would leave data under its final name that nothing
-    /// describes, or that an older sidecar describes wrongly.
+    /// Completes the file: all bytes to the disk, then the sidecar, then the final name.
     ///
     /// # Errors
     ///
     /// [`Error::Arguments`] if fewer words came than the layout has;
     /// [`Error::Io`] if the file cannot be completed. The data that stood
-    /// under the final name is then as it was.
-    pub fn finish(mut self) -> Result<Summary> {
-        self.still_whole()?;
-        if self.taken != self.total {
-            return Err(self.miscounted(self.taken));
+    /// under the final name is then as it was. [`Error::Kept`] as [`Sink::abandon`] says.
+    pub fn finish(self) -> Result<Summary> {
+        let whole = self.still_whole().and_then(|()| match self.taken {
+            taken if taken == self.total => Ok(()),
+            taken => Err(self.miscounted(taken)),
+        });
+        if let Err(cause) = whole {
+            return Err(self.abandon(cause));
         }
-        self.out
-            .flush()
-            .map_err(|e| failed("write", &self.path, e))?;
-        let Self {
-            out,
-            sidecar,
-            path,
-            layout,
-            arguments,
-            ..
-        } = self;
-        let Counted { place, bytes, hash } = out
-            .into_inner()
-            .map_err(|e| failed("write", &path, e.into_error()))?;
-        let summary = Summary {
-            bytes,
-            sha256: hash.map(|h| hexadecimal(&h.finalize())),
-        };
-        let Place::Aside(data) = place else {
-            return Ok(summary);
-        };
-        data.sync()?;
-        if let Some(mut sidecar) = sidecar {
-            sidecar.fill(&describe(&layout, arguments, &summary))?;
-            sidecar.sync()?;
-            let name = sidecar.real().to_owned();
-            sidecar.commit()?;
-            return data.commit().map(|()| summary).inspect_err(|_| {
-                // It describes data that is not there.
-                let _ = std::fs::remove_file(name);
-            });
+        match self.out {
+            Out::Stream(stream) => Ok(Summary {
+                bytes: stream.finish(&self.encoder, &self.path)?,
+                sha256: None,
+            }),
+            Out::File(mut file) => match file.finish() {
+                Ok((bytes, sha256)) => Ok(Summary {
+                    bytes,
+                    sha256: Some(sha256),
+                }),
+                Err(cause) => Err(file.abandon(cause)),
+            },
         }
-        data.commit().map(|()| summary)
+    }
+
+    /// Ends without a file. Returns the error that was the cause, as [`Error::Kept`] where
+    /// complete chunks stay for a later run.
+    #[must_use]
+    pub fn abandon(self, cause: Error) -> Error {
+        match self.out {
+            Out::File(mut file) => file.abandon(cause),
+            Out::Stream(_) => cause,
+        }
     }
 
     fn still_whole(&self) -> Result<()> {
@@ -183,48 +229,13 @@ impl Sink {
     }
 
     fn miscounted(&self, taken: u64) -> Error {
-        let Layout { rows, columns, .. } = self.layout;
+        let Layout { rows, columns, .. } = self.encoder.layout;
         Error::Arguments {
             asked: format!("{taken} words for {}", self.path.display()),
             limit: format!("{rows} rows of {columns} are {}", self.total),
             remedy: "write exactly as many as the layout has".to_owned(),
         }
     }
-}
-
-/// Counts, and for raw data hashes, what reaches the destination.
-struct Counted {
-    place: Place,
-    bytes: u64,
-    hash: Option<Sha256>,
-}
-
-impl Write for Counted {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        // A block at a time, so that the hash finds it still in the cache.
-        let written = self.place.write(&bytes[..bytes.len().min(BLOCK)])?;
-        self.bytes += written as u64;
-        if let Some(hash) = &mut self.hash {
-            hash.update(&bytes[..written]);
-        }
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.place.flush()
-    }
-}
-
-/// The sidecar: all that one needs to load the data and to make it again.
-fn describe(layout: &Layout, arguments: Value, summary: &Summary) -> Vec<u8> {
-    let sidecar = json!({
-        "arguments": arguments,
-        "version": env!("CARGO_PKG_VERSION"),
-        "shape": [layout.rows, layout.columns],
-        "type": layout.element.descr(),
-        "sha256": summary.sha256,
-    });
-    format!("{sidecar:#}\n").into_bytes()
 }
 
 /// Bytes as lower-case digits, as `sha256sum` prints a hash.

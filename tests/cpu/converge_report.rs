@@ -4,6 +4,8 @@
 mod folder;
 #[path = "converge_report/hits.rs"]
 mod hits;
+#[path = "json_schema.rs"]
+mod json_schema;
 #[path = "converge_report/page.rs"]
 mod page;
 #[path = "converge_report/schema.rs"]

@@ -5,6 +5,14 @@
 mod bytes;
 #[path = "report/failure.rs"]
 mod failure;
+#[path = "json_schema.rs"]
+mod json_schema;
+#[path = "report/kept.rs"]
+mod kept;
+#[path = "report/schema.rs"]
+mod schema;
+#[path = "report/source.rs"]
+mod source;
 #[cfg(unix)]
 #[path = "report/system.rs"]
 mod system;
@@ -16,6 +24,15 @@ use corput::Error;
 use corput::report::{Element, Format, Layout, NPY_DATA_OFFSET, Sink, Summary, Target, npy_header};
 use serde_json::{Value, json};
 use tempfile::TempDir;
+
+/// Every format.
+const FORMATS: [Format; 5] = [
+    Format::Npy,
+    Format::Raw,
+    Format::Csv,
+    Format::C,
+    Format::Glsl,
+];
 
 fn layout(rows: u64, columns: u32, element: Element) -> Layout {
     Layout {

@@ -1,5 +1,8 @@
 //! Values of options, from their text.
 
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
 /// Columns and rows, as 16x9.
 fn sides(text: &str) -> Option<[u32; 2]> {
     let (columns, rows) = text.split_once('x')?;
@@ -21,7 +24,8 @@ pub fn cells(text: &str) -> Result<[u32; 2], String> {
 }
 
 /// Cells along each axis.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(transparent)]
 pub struct Grid(pub Vec<u64>);
 
 pub fn grid(text: &str) -> Result<Grid, String> {
@@ -33,8 +37,16 @@ pub fn grid(text: &str) -> Result<Grid, String> {
     }
 }
 
+/// Rows from one up to another, as 0..1000.
+pub fn range(text: &str) -> Result<Range<u64>, String> {
+    let ends = text.split_once("..");
+    let ends = ends.and_then(|(a, b)| Some(a.parse().ok()?..b.parse().ok()?));
+    ends.ok_or_else(|| format!("`{text}` is no range; it must be two whole numbers, as 0..1000"))
+}
+
 /// A parameter of a map.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Param {
     /// Its name.
     pub name: String,

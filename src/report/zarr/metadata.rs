@@ -27,7 +27,9 @@ pub(super) fn chunk_rows(columns: u32) -> u64 {
 pub(super) fn document(layout: &Layout, origin: &Value) -> Value {
     let (data_type, fill) = match layout.element {
         Element::U32 => ("uint32", json!(0)),
+        Element::U16 => ("uint16", json!(0)),
         Element::F32 => ("float32", json!(0.0)),
+        Element::F64 => ("float64", json!(0.0)),
     };
     json!({
         "zarr_format": 3,

@@ -43,7 +43,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use super::{Layout, create_folder, hexadecimal};
+use super::{Element, Layout, create_folder, hexadecimal};
 use crate::error::{Error, Result};
 use fault::Record;
 
@@ -66,9 +66,16 @@ impl Store {
     ///
     /// [`Error::Output`] for a file of that name, or a folder that holds something else;
     /// [`Error::Document`] for a store of another array, which is named; [`Error::Arguments`]
-    /// for an impossible layout; [`Error::Io`] if it cannot be written.
+    /// for an impossible layout, or elements of other than 32 bits; [`Error::Io`] if it cannot be written.
     pub fn create(path: &Path, layout: Layout, origin: &Value) -> Result<Self> {
         layout.words()?;
+        if !matches!(layout.element, Element::F32 | Element::U32) {
+            return Err(Error::Arguments {
+                asked: format!("a Zarr store of {}", layout.element.name()),
+                limit: "its elements are f32 or u32".into(),
+                remedy: "drop --type, or write a file with --out p.npy".into(),
+            });
+        }
         let store = Self::new(path, layout, origin.clone());
         let wanted = metadata::document(&layout, origin);
         let name = path.join("zarr.json");

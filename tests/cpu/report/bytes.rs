@@ -24,24 +24,55 @@ fn npy_header_is_golden() {
     );
 }
 
+fn sha256(bytes: &[u8]) -> String {
+    let digits = Sha256::digest(bytes);
+    digits.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 #[test]
 fn npy_reads_back() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("d.npy");
     let data = words(&[0.0, -0.0, 1.0, f32::from_bits(1), f32::MAX, -0.25]);
     let summary = save(&path, Format::Npy, layout(2, 3, Element::F32), &[&data]).unwrap();
-    assert_eq!(
-        summary,
-        Summary {
-            bytes: 4096 + 24,
-            sha256: None
-        }
-    );
+    assert_eq!(summary.bytes, 4096 + 24);
+    assert_eq!(summary.sha256, Some(sha256(&fs::read(&path).unwrap())));
     assert_eq!(
         parse_npy(&fs::read(&path).unwrap()),
         ("<f4".to_owned(), vec![2, 3], data)
     );
-    assert_eq!(names(&folder), ["d.npy"]);
+    assert_eq!(names(&folder), ["d.npy", "d.npy.json"]);
+}
+
+#[test]
+fn other_types_are_of_fractions() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("d.npy");
+    let data = [0, 1, 0x8000_0000, 0x1234_5678, u32::MAX, 0xffff];
+    let bytes = |element| {
+        save(&path, Format::Npy, layout(3, 2, element), &[&data]).unwrap();
+        fs::read(&path).unwrap()
+    };
+    let short = bytes(Element::U16);
+    assert!(short[10..].starts_with(b"{'descr': '<u2', "));
+    assert_eq!(
+        short[4096..],
+        [0, 0, 0, 0, 0, 0x80, 0x34, 0x12, 0xff, 0xff, 0, 0]
+    );
+    let long = bytes(Element::F64);
+    assert!(long[10..].starts_with(b"{'descr': '<f8', "));
+    let (values, rest) = long[4096..].as_chunks::<8>();
+    assert!(rest.is_empty());
+    for (value, word) in values.iter().zip(data) {
+        let value = f64::from_le_bytes(*value);
+        assert_eq!(value * 4_294_967_296.0, f64::from(word));
+        assert!((0.0..1.0).contains(&value));
+    }
+    for element in ["f32", "u32", "u16", "f64"] {
+        assert_eq!(Element::from_name(element).unwrap().name(), element);
+    }
+    let error = Element::from_name("u17").unwrap_err().to_string();
+    assert!(error.contains("did you mean `u16`"), "{error}");
 }
 
 #[test]
@@ -68,10 +99,7 @@ fn raw_has_a_sidecar_that_describes_it() {
     .unwrap();
     let bytes = fs::read(&path).unwrap();
     assert_eq!(bytes, [1, 0, 0, 0, 1, 2, 3, 4, 255, 255, 255, 255]);
-    let sha256: String = Sha256::digest(&bytes)
-        .iter()
-        .map(|b| format!("{b:02x}"))
-        .collect();
+    let sha256 = sha256(&bytes);
     assert_eq!(
         summary,
         Summary {
@@ -82,7 +110,21 @@ fn raw_has_a_sidecar_that_describes_it() {
     let sidecar: Value =
         serde_json::from_slice(&fs::read(folder.path().join("f.raw.json")).unwrap()).unwrap();
     let version = env!("CARGO_PKG_VERSION");
-    let expected = json!({"arguments": {"count": 3}, "version": version, "shape": [3, 1], "type": "<u4", "sha256": sha256});
+    // Without header or footer the one chunk is the file.
+    let expected = json!({
+        "schema": "corput-file/1",
+        "arguments": {"count": 3},
+        "device": "",
+        "version": version,
+        "format": "raw",
+        "name": null,
+        "shape": [3, 1],
+        "type": "<u4",
+        "bytes": 12,
+        "chunk_rows": 3,
+        "chunks": [{"bytes": 12, "sha256": sha256}],
+        "sha256": sha256,
+    });
     assert_eq!(sidecar, expected);
     assert_eq!(names(&folder), ["f.raw", "f.raw.json"]);
 }
@@ -201,8 +243,9 @@ proptest! {
         cuts.sort_unstable();
         let chunks: Vec<&[u32]> = cuts.windows(2).map(|w| &data[w[0]..w[1]]).collect();
         let folder = tempfile::tempdir().unwrap();
-        for format in [Format::Npy, Format::Raw, Format::Csv] {
-            let (whole, cut) = (folder.path().join("whole"), folder.path().join("cut"));
+        for format in FORMATS {
+            // Of the same name, which is in source text.
+            let (whole, cut) = (folder.path().join("p"), folder.path().join("p.x"));
             let expected = save(&whole, format, shape, &[data]).unwrap();
             prop_assert_eq!(save(&cut, format, shape, &chunks).unwrap(), expected);
             prop_assert_eq!(fs::read(&cut).unwrap(), fs::read(&whole).unwrap());
@@ -224,7 +267,7 @@ proptest! {
 
 #[test]
 fn formats_by_name_and_by_ending() {
-    for format in [Format::Npy, Format::Raw, Format::Csv] {
+    for format in FORMATS {
         assert_eq!(format.name().parse::<Format>().unwrap(), format);
     }
     for (file, format) in [
@@ -232,6 +275,8 @@ fn formats_by_name_and_by_ending() {
         ("a.RAW", Format::Raw),
         ("a.b.bin", Format::Raw),
         ("a/b.csv", Format::Csv),
+        ("b.h", Format::C),
+        ("b.glsl", Format::Glsl),
     ] {
         assert_eq!(Format::from_path(Path::new(file)).unwrap(), format);
     }
@@ -241,7 +286,7 @@ fn formats_by_name_and_by_ending() {
         (code, text.as_str()),
         (
             2,
-            "unknown format `nyp`, did you mean `npy`?; known: npy, raw, csv"
+            "unknown format `nyp`, did you mean `npy`?; known: npy, raw, csv, c-header, glsl"
         )
     );
     assert!(

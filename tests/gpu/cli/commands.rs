@@ -143,16 +143,16 @@ fn raw_has_its_description_beside_it() {
             ("bases", json!([3, 2])),
             ("scramble", json!("owen")),
             ("seed", json!(u64::MAX)),
-            ("fractions", json!(true)),
+            ("type", json!("u32")),
             ("map", Value::Null),
             ("profile", json!("exact")),
         ] {
             assert_eq!(arguments[name], value, "{name}");
         }
-        let cpu = arguments["device"] == "cpu";
+        let cpu = said["device"] == "cpu";
         assert_eq!(cpu, !device.is_empty() || is_cpu());
     }
-    assert_eq!(desk.names(), ["p.npy", "p.raw", "p.raw.json"]);
+    assert_eq!(desk.names(), ["p.npy", "p.npy.json", "p.raw", "p.raw.json"]);
     // The format outranks the ending, and an ending may be in capitals.
     desk.make(&format!("{line} --format raw"), "q.npy");
     desk.make(line, "Q.NPY");
@@ -209,7 +209,7 @@ fn standard_output_gets_the_bytes_and_nothing_else() {
         assert_eq!(run.stderr, "");
         assert!(run.stdout == expected, "{format}");
     }
-    assert_eq!(desk.names(), ["p.csv", "p.npy"]);
+    assert_eq!(desk.names(), ["p.csv", "p.csv.json", "p.npy", "p.npy.json"]);
 }
 
 #[test]
@@ -218,5 +218,5 @@ fn a_file_is_replaced() {
     std::fs::write(desk.path("p.npy"), "old").unwrap();
     let array = npy(&desk.make("vdc --count 3 --device cpu", "p.npy"));
     assert_points(&array, 0, &[Base(2)]);
-    assert_eq!(desk.names(), ["p.npy"]);
+    assert_eq!(desk.names(), ["p.npy", "p.npy.json"]);
 }

@@ -48,7 +48,7 @@ fn the_environment_chooses_where_no_argument_does() {
     };
     let used = || {
         let said: Value = serde_json::from_slice(&desk.bytes("p.raw.json")).unwrap();
-        said["arguments"]["device"].as_str().unwrap().to_owned()
+        said["device"].as_str().unwrap().to_owned()
     };
     with("cpu", line).expect(0, &[]);
     assert_eq!(used(), "cpu");
@@ -175,6 +175,7 @@ fn the_demonstration_ends_with_everything_equal() {
             "irradiance.png",
             "irradiance.svg",
             "points.npy",
+            "points.npy.json",
             "points.png",
             "points.svg"
         ]

@@ -88,7 +88,7 @@ fn assert_warns(line: &str, words: &[&str]) {
         piped.stdout == desk.bytes("p.npy"),
         "`{line}` differs in a pipe"
     );
-    assert_eq!(desk.names(), ["p.npy"]);
+    assert_eq!(desk.names(), ["p.npy", "p.npy.json"]);
 }
 
 #[test]

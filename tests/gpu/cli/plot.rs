@@ -85,7 +85,9 @@ fn the_views_follow_the_dimensions() {
         }
         assert_eq!(dots(&svg), count, "{line}");
     }
-    assert_eq!(desk.names(), ["eight.npy", "one.npy", "p.svg", "two.npy"]);
+    let mut names = desk.names();
+    names.retain(|name| !name.ends_with(".json"));
+    assert_eq!(names, ["eight.npy", "one.npy", "p.svg", "two.npy"]);
 }
 
 #[test]

@@ -1,0 +1,18 @@
+//! The arguments of `corput verify`.
+
+use super::values::range;
+use clap::Args;
+use std::ops::Range;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct VerifyArgs {
+    /// A file that `corput generate` wrote; its FILE.json must be beside it.
+    pub file: PathBuf,
+    /// Only these rows, counted from 0, the last not among them [default: all, and the hashes].
+    #[arg(long, value_name = "A..B", value_parser = range, allow_hyphen_values = true)]
+    pub range: Option<Range<u64>>,
+    /// Device by index or part of its name, or cpu for the reference: any makes the same bytes.
+    #[arg(long)]
+    pub device: Option<String>,
+}

@@ -1,0 +1,89 @@
+//! The arguments of `generate` in a sidecar, and back.
+
+use super::args::GenerateArgs;
+use super::generate::element;
+use super::host;
+use corput::catalog::{Profile, Scramble, Sequence};
+use corput::report::{Origin, hexadecimal};
+use corput::vulkan::Device;
+use corput::{Error, Result};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Beside the arguments: the hash of the picture, and the device of native functions.
+const PICTURE: &str = "env_sha256";
+const DEVICE: &str = "device";
+
+/// What a sidecar records: all that decides the bytes, and who made them. The device is among
+/// the arguments where its own functions are.
+pub fn origin(
+    args: &GenerateArgs,
+    scramble: Option<Scramble>,
+    device: Option<&Arc<Device>>,
+) -> Result<Origin> {
+    let mut args = args.clone();
+    // That which was chosen by default is told.
+    args.scramble = scramble.map(|scramble| scramble.name().to_owned());
+    args.element = Some(element(&args)?.name().to_owned());
+    let mut arguments = serde_json::to_value(&args).map_err(|fault| Error::Arguments {
+        asked: "arguments that FILE.json is to record".into(),
+        limit: format!("it holds text of UTF-8 only ({fault})"),
+        remedy: "rename the file of --env".into(),
+    })?;
+    if let Some(picture) = &args.env {
+        arguments[PICTURE] = json!(hash(picture)?);
+    }
+    let device = self::device(device);
+    if Profile::from_name(&args.profile)? == Profile::Native {
+        arguments[DEVICE] = json!(device);
+    }
+    Ok(Origin { arguments, device })
+}
+
+/// Who makes the points, as a sidecar records it.
+pub fn device(device: Option<&Arc<Device>>) -> String {
+    device.map_or_else(|| "cpu".to_owned(), |device| host::line(device.info()))
+}
+
+/// The arguments that a sidecar records; those of this run, as the device, are left open.
+///
+/// # Errors
+/// [`Error::Arguments`] where they are not all known, or the picture is another.
+pub fn parse(recorded: &Value) -> Result<GenerateArgs> {
+    let mut recorded = recorded.clone();
+    let mut taken = |name: &str| recorded.as_object_mut().and_then(|all| all.remove(name));
+    let picture = taken(PICTURE);
+    taken(DEVICE);
+    let mut args: GenerateArgs =
+        serde_json::from_value(recorded).map_err(|fault| Error::Arguments {
+            asked: "the recorded arguments".into(),
+            limit: format!("they are not those of `corput generate` ({fault})"),
+            remedy: "use the version of corput that wrote the file".into(),
+        })?;
+    if let (Some(path), Some(picture)) = (&args.env, picture)
+        && picture != json!(hash(path)?)
+    {
+        return Err(Error::Image {
+            path: path.clone(),
+            problem: format!("its SHA-256 is not {picture}, as when the samples were made"),
+            remedy: "put that picture back".into(),
+        });
+    }
+    // A sequence that is random already takes no scramble, not even none.
+    let sequence = Sequence::from_name(&args.sequence).ok();
+    if sequence.is_none_or(|sequence| sequence.scrambles().is_empty()) {
+        args.scramble = None;
+    }
+    Ok(args)
+}
+
+fn hash(path: &Path) -> Result<String> {
+    let bytes = std::fs::read(path).map_err(|source| Error::Image {
+        path: path.to_owned(),
+        problem: format!("it cannot be read ({source})"),
+        remedy: "check the path".into(),
+    })?;
+    Ok(hexadecimal(&Sha256::digest(&bytes)))
+}

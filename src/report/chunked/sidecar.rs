@@ -1,0 +1,191 @@
+//! `FILE.json`: what a file holds, what made it, and its hashes.
+
+use super::{Chunk, PARTIAL, beside};
+use crate::error::{Error, Result};
+use crate::report::encode::Encoder;
+use crate::report::place::{Existing, existing, failed};
+use crate::report::{Element, Format, Layout};
+use serde_json::{Value, json};
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Name and version of the form, which `docs/schemas/file-1.json` describes.
+pub const SIDECAR_SCHEMA: &str = "corput-file/1";
+
+/// The most that is read of a sidecar: of 2^16 chunks with some arguments.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// What made the data of a file; recorded beside it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Origin {
+    /// What decides the bytes. A run goes on only from what one of equal arguments left.
+    pub arguments: Value,
+    /// Who made them; not compared.
+    pub device: String,
+}
+
+impl From<Value> for Origin {
+    fn from(arguments: Value) -> Self {
+        Self {
+            arguments,
+            device: String::new(),
+        }
+    }
+}
+
+/// A sidecar, read back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sidecar {
+    /// What made the data.
+    pub origin: Origin,
+    /// Version of corput that did.
+    pub version: String,
+    /// Form of the file.
+    pub format: Format,
+    /// Shape and type.
+    pub layout: Layout,
+    /// The array's name, in source text.
+    pub name: Option<String>,
+    /// Bytes of the file.
+    pub bytes: u64,
+    /// Rows of each chunk but the last.
+    pub chunk_rows: u64,
+    /// The chunks, header and footer apart.
+    pub chunks: Vec<Chunk>,
+    /// SHA-256 of the whole file, in hexadecimal digits.
+    pub sha256: String,
+}
+
+impl Sidecar {
+    /// Where the sidecar of a file is: `FILE.json`.
+    #[must_use]
+    pub fn path_of(file: &Path) -> PathBuf {
+        let mut name = OsString::from(file);
+        name.push(".json");
+        PathBuf::from(name)
+    }
+
+    /// Reads the sidecar of a file.
+    ///
+    /// # Errors
+    /// [`Error::Document`] where there is none, or one of another form.
+    pub fn of(file: &Path) -> Result<Self> {
+        let path = Self::path_of(file);
+        let refused = |problem: String| Error::Document {
+            path: path.clone(),
+            problem,
+            remedy: "give a file that has its FILE.json beside it, as `corput generate --out FILE` writes it",
+        };
+        let length = std::fs::metadata(&path).map_err(|source| refused(source.to_string()))?;
+        if length.len() > MAX_BYTES {
+            return Err(refused(format!(
+                "it has {} bytes, and {MAX_BYTES} at most",
+                length.len()
+            )));
+        }
+        let bytes = std::fs::read(&path).map_err(|source| refused(source.to_string()))?;
+        let value: Value =
+            serde_json::from_slice(&bytes).map_err(|fault| refused(format!("no JSON: {fault}")))?;
+        if value["schema"] != SIDECAR_SCHEMA {
+            let problem = format!(
+                "its schema is {}, not \"{SIDECAR_SCHEMA}\"",
+                value["schema"]
+            );
+            return Err(refused(problem));
+        }
+        read(&value).map_err(|name| refused(format!("`{name}` is missing or of a wrong kind")))
+    }
+}
+
+/// The fields, or the name of the first that is not as it must be.
+fn read(value: &Value) -> Result<Sidecar, &'static str> {
+    let text = |name: &'static str| value[name].as_str().ok_or(name);
+    let number = |name: &'static str| value[name].as_u64().ok_or(name);
+    let shape = value["shape"].as_array().ok_or("shape")?;
+    let [rows, columns] = shape.as_slice() else {
+        return Err("shape");
+    };
+    let layout = Layout {
+        rows: rows.as_u64().ok_or("shape")?,
+        columns: columns
+            .as_u64()
+            .and_then(|columns| u32::try_from(columns).ok())
+            .ok_or("shape")?,
+        element: Element::from_descr(text("type")?).ok_or("type")?,
+    };
+    layout.words().map_err(|_| "shape")?;
+    let chunks = value["chunks"].as_array().ok_or("chunks")?.iter();
+    Ok(Sidecar {
+        origin: Origin {
+            arguments: value.get("arguments").ok_or("arguments")?.clone(),
+            device: text("device")?.to_owned(),
+        },
+        version: text("version")?.to_owned(),
+        name: match value.get("name") {
+            Some(Value::Null) => None,
+            _ => Some(text("name")?.to_owned()),
+        },
+        format: text("format")?.parse().map_err(|_| "format")?,
+        layout,
+        bytes: number("bytes")?,
+        chunk_rows: number("chunk_rows")?,
+        chunks: chunks
+            .map(Chunk::read)
+            .collect::<Option<_>>()
+            .ok_or("chunks")?,
+        sha256: text("sha256")?.to_owned(),
+    })
+}
+
+/// What a run must share with an earlier one to go on from it.
+pub(super) fn description(origin: &Origin, encoder: &Encoder, chunk_rows: u64) -> Value {
+    let layout = &encoder.layout;
+    json!({
+        "arguments": origin.arguments,
+        "version": env!("CARGO_PKG_VERSION"),
+        "format": encoder.format.name(),
+        "name": encoder.name,
+        "shape": [layout.rows, layout.columns],
+        "type": layout.element.descr(),
+        "chunk_rows": chunk_rows,
+    })
+}
+
+/// The sidecar of a finished file.
+pub(super) fn document(
+    mut description: Value,
+    device: &str,
+    bytes: u64,
+    chunks: &[&Chunk],
+    sha256: &str,
+) -> Vec<u8> {
+    let chunk = |chunk: &&Chunk| json!({ "bytes": chunk.bytes, "sha256": chunk.sha256 });
+    description["schema"] = json!(SIDECAR_SCHEMA);
+    description["device"] = json!(device);
+    description["bytes"] = json!(bytes);
+    description["chunks"] = chunks.iter().map(chunk).collect();
+    description["sha256"] = json!(sha256);
+    format!("{description:#}\n").into_bytes()
+}
+
+/// Writes the sidecar of a file aside and then under its name, which it returns.
+pub(super) fn save(file: &Path, document: &[u8]) -> Result<PathBuf> {
+    let name = Sidecar::path_of(file);
+    let io = |source| failed("write", &name, source);
+    let Existing::File(name) = existing(&name)? else {
+        return Err(io(io::Error::other("it is no regular file any more")));
+    };
+    let aside = beside(&name, PARTIAL);
+    let written = File::create(&aside).and_then(|mut file| {
+        file.write_all(document)?;
+        file.sync_all()?;
+        fs::rename(&aside, &name)
+    });
+    written.map_err(|source| {
+        let _ = fs::remove_file(&aside);
+        failed("write", &name, source)
+    })?;
+    Ok(name)
+}

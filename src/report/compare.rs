@@ -1,0 +1,241 @@
+//! A file against its rows made again.
+
+mod hashes;
+
+use super::chunked::Sidecar;
+use super::encode::Encoder;
+use super::place::failed;
+use super::text;
+use crate::error::{Error, Result};
+use hashes::Hashes;
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// Bytes that are read at a time.
+const BLOCK: usize = 1 << 20;
+
+/// Compares a file with words that somebody makes, byte for byte; where all rows are compared
+/// also header, end and hashes.
+pub struct Comparison {
+    path: PathBuf,
+    encoder: Encoder,
+    file: BufReader<File>,
+    /// None where only a range is compared.
+    hashes: Option<Hashes>,
+    /// The rows asked for; the word to come, and that after the last.
+    count: u64,
+    at: u64,
+    end: u64,
+    /// Bytes that the words to come begin with, and those of the file.
+    wanted: Vec<u8>,
+    found: Vec<u8>,
+    /// Rows that differ, the last of them, and what is to be said of the first.
+    rows: u64,
+    last: Option<u64>,
+    problem: Option<String>,
+}
+
+impl Comparison {
+    /// Opens a file, of which these rows are to be compared.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`] for rows that it has not, [`Error::Differs`] where its size is not
+    /// that of the sidecar, [`Error::Points`] where it cannot be opened.
+    pub fn open(path: &Path, sidecar: &Sidecar, rows: Range<u64>) -> Result<Self> {
+        let layout = sidecar.layout;
+        if rows.start >= rows.end || rows.end > layout.rows {
+            return Err(Error::Arguments {
+                asked: format!("rows {}..{} of {}", rows.start, rows.end, path.display()),
+                limit: format!(
+                    "it has the rows 0..{}, and a range has one at least",
+                    layout.rows
+                ),
+                remedy: "ask for A..B with A below B, which is not part of it".into(),
+            });
+        }
+        let unreadable = |source: io::Error| Error::Points {
+            path: path.to_owned(),
+            problem: source.to_string(),
+            remedy: "name a file that can be read".into(),
+        };
+        let file = File::open(path).map_err(unreadable)?;
+        let bytes = file.metadata().map_err(unreadable)?.len();
+        if bytes != sidecar.bytes {
+            return Err(Error::Differs {
+                path: path.to_owned(),
+                problem: format!("it has {bytes} bytes, and {} by its sidecar", sidecar.bytes),
+            });
+        }
+        let columns = u64::from(layout.columns);
+        let whole = rows == (0..layout.rows);
+        let mut comparison = Self {
+            path: path.to_owned(),
+            encoder: Encoder {
+                format: sidecar.format,
+                layout,
+                name: sidecar.name.clone(),
+            },
+            file: BufReader::with_capacity(BLOCK, file),
+            hashes: whole.then(|| Hashes::new(sidecar)),
+            count: rows.end - rows.start,
+            at: rows.start * columns,
+            end: rows.end * columns,
+            wanted: Vec::new(),
+            found: Vec::new(),
+            rows: 0,
+            last: None,
+            problem: None,
+        };
+        comparison
+            .begin(rows.start)
+            .map_err(|source| failed("read", path, source))?;
+        Ok(comparison)
+    }
+
+    /// Compares the header, and goes to a row.
+    fn begin(&mut self, row: u64) -> io::Result<()> {
+        let header = self.encoder.header();
+        self.read(header.len())?;
+        if self.found != header {
+            self.problem = Some("its header is not that of its shape and type".into());
+        }
+        if let Some(hashes) = &mut self.hashes {
+            hashes.frame(&self.found);
+        }
+        match self.encoder.row_bytes() {
+            Some(bytes) => {
+                let offset = header.len() as u64 + row * bytes;
+                self.file.seek(SeekFrom::Start(offset))?;
+            }
+            None => {
+                for _ in 0..row {
+                    self.line()?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Compares the next words, row-major; floats as their bits.
+    ///
+    /// # Errors
+    /// [`Error::Io`] where the file cannot be read.
+    pub fn take(&mut self, words: &[u32]) -> Result<()> {
+        self.encoder.append(self.at, words, &mut self.wanted);
+        let compared = match self.encoder.row_bytes() {
+            Some(_) => self.binary(),
+            None => self.text(),
+        };
+        self.at += words.len() as u64;
+        compared.map_err(|source| failed("read", &self.path, source))
+    }
+
+    fn binary(&mut self) -> io::Result<()> {
+        let wanted = std::mem::take(&mut self.wanted);
+        self.read(wanted.len())?;
+        if self.found != wanted {
+            let element = self.encoder.layout.element;
+            let columns = u64::from(self.encoder.layout.columns);
+            let size = element.bytes() as usize;
+            let found = std::mem::take(&mut self.found);
+            let pairs = found.chunks_exact(size).zip(wanted.chunks_exact(size));
+            for (index, (found, wanted)) in (self.at..).zip(pairs) {
+                if found != wanted {
+                    let (row, column) = (index / columns, index % columns);
+                    self.differs(row, || {
+                        let (is, must) = (element.show(found), element.show(wanted));
+                        format!("row {row}, column {column} is {is} and must be {must}")
+                    });
+                }
+            }
+            self.found = found;
+        }
+        self.hash();
+        self.wanted = wanted;
+        self.wanted.clear();
+        Ok(())
+    }
+
+    fn text(&mut self) -> io::Result<()> {
+        let wanted = std::mem::take(&mut self.wanted);
+        let mut row = self.at / u64::from(self.encoder.layout.columns);
+        let mut lines = wanted.split_inclusive(|byte| *byte == b'\n').peekable();
+        while let Some(line) = lines.next_if(|line| line.ends_with(b"\n")) {
+            self.line()?;
+            if self.found != line {
+                let (is, must) = (text::show(&self.found), text::show(line));
+                self.differs(row, || format!("row {row} is {is} and must be {must}"));
+            }
+            self.hash();
+            row += 1;
+        }
+        // A row that goes on with the words to come.
+        self.wanted = lines.next().unwrap_or_default().to_vec();
+        Ok(())
+    }
+
+    fn differs(&mut self, row: u64, say: impl FnOnce() -> String) {
+        self.problem.get_or_insert_with(say);
+        if self.last != Some(row) {
+            self.last = Some(row);
+            self.rows += 1;
+        }
+    }
+
+    /// Compares what follows the last row, and the hashes.
+    ///
+    /// # Errors
+    /// [`Error::Differs`] where anything was not equal, [`Error::Arguments`] where words are
+    /// missing, [`Error::Io`] where the file cannot be read.
+    pub fn finish(mut self) -> Result<()> {
+        if self.at != self.end {
+            return Err(Error::Arguments {
+                asked: format!("a comparison that ends at word {}", self.at),
+                limit: format!("the rows end at word {}", self.end),
+                remedy: "give exactly the words of the rows".into(),
+            });
+        }
+        let mut problem = self.problem.take().map(|first| match self.rows {
+            0 => first,
+            rows => format!("{first}; {rows} of {} rows differ", self.count),
+        });
+        if let Some(mut hashes) = self.hashes.take() {
+            let mut rest = Vec::new();
+            let read = self.file.read_to_end(&mut rest);
+            read.map_err(|source| failed("read", &self.path, source))?;
+            hashes.frame(&rest);
+            if rest != self.encoder.footer() {
+                let end = "what follows its last row is not the end of such a file";
+                problem.get_or_insert(end.into());
+            }
+            if let Some(wrong) = hashes.finish() {
+                problem.get_or_insert(wrong);
+            }
+        }
+        match problem {
+            Some(problem) => Err(Error::Differs {
+                path: self.path,
+                problem,
+            }),
+            None => Ok(()),
+        }
+    }
+
+    fn read(&mut self, bytes: usize) -> io::Result<()> {
+        self.found.resize(bytes, 0);
+        self.file.read_exact(&mut self.found)
+    }
+
+    fn line(&mut self) -> io::Result<()> {
+        self.found.clear();
+        self.file.read_until(b'\n', &mut self.found).map(|_| ())
+    }
+
+    fn hash(&mut self) {
+        if let Some(hashes) = &mut self.hashes {
+            hashes.data(&self.found);
+        }
+    }
+}
