@@ -304,12 +304,21 @@ fn an_interrupted_study_says_how_to_go_on() {
     let text = interrupted(&desk, &study("--report out --fresh"), &cells);
     assert!(text.contains("the same command without --fresh"), "{text}");
 
-    let mut running = Running::start(&desk, &study(""));
-    running.wait_for_handler();
-    running.signal("INT");
-    let (code, text) = running.end();
-    assert_eq!(code, Some(4), "{text}");
-    assert!(text.contains("give --report DIR"), "{text}");
+    // Before it begins to measure, there is nothing to keep: then it says so, and it is
+    // interrupted later.
+    for wait in [0, 200, 1000, 5000] {
+        let mut running = Running::start(&desk, &study(""));
+        running.wait_for_handler();
+        sleep(Duration::from_millis(wait));
+        running.signal("INT");
+        let (code, text) = running.end();
+        assert_eq!(code, Some(4), "{text}");
+        if text.contains("give --report DIR") {
+            return;
+        }
+        assert!(text.contains("interrupted; run again"), "{text}");
+    }
+    panic!("it does not say what would be kept");
 }
 
 /// A mean that is no number, as an integrand or a device may give one.
