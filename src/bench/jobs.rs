@@ -20,9 +20,11 @@ pub struct Job {
     pub cpu_goal: Option<Goal>,
 }
 
-/// Points: sequence, scramble, dimensions, and the goal as a multiple of the fill.
+/// Name, sequence, scramble, dimensions, and the goal as a multiple of the fill.
+type Points = (&'static str, Sequence, Option<Scramble>, u64, Option<f64>);
+
 #[rustfmt::skip]
-const POINTS: &[(&str, Sequence, Option<Scramble>, u64, Option<f64>)] = &[
+const POINTS: &[Points] = &[
     ("van der Corput", Sequence::VanDerCorput, None, 1, Some(1.5)),
     ("Hammersley d=2", Sequence::Hammersley, None, 2, Some(1.5)),
     ("Halton d=2", Sequence::Halton, None, 2, Some(2.0)),

@@ -109,13 +109,12 @@ fn timed(
 /// Whether a word may stand for another.
 type Same<'a> = &'a dyn Fn((&u32, &u32)) -> bool;
 
+/// Whether the words from a point on are these.
+type Equal<'a> = &'a mut dyn FnMut(u64, &[u32], Same) -> Result<bool>;
+
 /// Asks `equal` of the first points and the last ones: word for word, in the native profile
 /// within what Vulkan allows.
-fn verify(
-    request: &Request,
-    points: u64,
-    equal: &mut dyn FnMut(u64, &[u32], Same) -> Result<bool>,
-) -> Result<()> {
+fn verify(request: &Request, points: u64, equal: Equal) -> Result<()> {
     let reference = Reference::new(request);
     let mut expected = vec![0; (points * u64::from(request.words_per_point())) as usize];
     for start in [0, request.count - points] {
