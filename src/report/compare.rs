@@ -68,15 +68,26 @@ impl Comparison {
                 problem: format!("it has {bytes} bytes, and {} by its sidecar", sidecar.bytes),
             });
         }
+        let encoder = Encoder {
+            format: sidecar.format,
+            layout,
+            name: sidecar.name.clone(),
+        };
+        let header = encoder.header().len() as u64;
+        if let Some(row) = encoder.row_bytes()
+            && header + row * layout.rows != bytes
+        {
+            let must = header + row * layout.rows;
+            return Err(Error::Differs {
+                path: path.to_owned(),
+                problem: format!("it has {bytes} bytes, and {must} by its shape"),
+            });
+        }
         let columns = u64::from(layout.columns);
         let whole = rows == (0..layout.rows);
         let mut comparison = Self {
             path: path.to_owned(),
-            encoder: Encoder {
-                format: sidecar.format,
-                layout,
-                name: sidecar.name.clone(),
-            },
+            encoder,
             file: BufReader::with_capacity(BLOCK, file),
             hashes: whole.then(|| Hashes::new(sidecar)),
             count: rows.end - rows.start,
@@ -224,8 +235,10 @@ impl Comparison {
     }
 
     fn read(&mut self, bytes: usize) -> io::Result<()> {
-        self.found.resize(bytes, 0);
-        self.file.read_exact(&mut self.found)
+        // What is not there is not equal.
+        self.found.clear();
+        let mut part = (&mut self.file).take(bytes as u64);
+        part.read_to_end(&mut self.found).map(|_| ())
     }
 
     fn line(&mut self) -> io::Result<()> {

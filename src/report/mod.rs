@@ -167,7 +167,7 @@ impl Layout {
     ///
     /// # Errors
     ///
-    /// [`Error::Arguments`] for no columns, or for more than 2^61 words.
+    /// [`Error::Arguments`] for no columns, or for more than 2^61 words or 2^63 bytes.
     pub fn words(&self) -> Result<u64> {
         let refused = |limit: &str, remedy: &str| Error::Arguments {
             asked: format!(
@@ -185,7 +185,12 @@ impl Layout {
         }
         self.rows
             .checked_mul(u64::from(self.columns))
-            .filter(|words| *words <= 1 << 61)
-            .ok_or_else(|| refused("an array has at most 2^61 words", "ask for fewer rows"))
+            .filter(|words| *words <= (1 << 63) / self.element.bytes().max(4))
+            .ok_or_else(|| {
+                refused(
+                    "an array has at most 2^63 bytes and 2^61 words",
+                    "ask for fewer rows",
+                )
+            })
     }
 }

@@ -71,6 +71,8 @@ fn impossible_layouts_are_refused() {
         layout(1, 0, Element::F32),
         layout(u64::MAX, 2, Element::F32),
         layout(1 << 62, 1, Element::F32),
+        layout((1 << 60) + 1, 1, Element::F64),
+        layout((1 << 61) + 1, 1, Element::U16),
     ] {
         let error = save(&folder.path().join("p.npy"), Format::Npy, shape, &[]).unwrap_err();
         assert!(matches!(error, Error::Arguments { .. }), "{error}");

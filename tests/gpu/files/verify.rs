@@ -96,6 +96,13 @@ fn a_cut_file_differs_and_a_missing_one_is_refused() {
     fs::write(desk.path("p.npy"), &bytes[..bytes.len() - 1]).unwrap();
     desk.run("verify p.npy --device cpu")
         .expect(1, &["it has 12095 bytes, and 12096 by its sidecar"]);
+    // With a sidecar that says so it is still no such array.
+    let sidecar = String::from_utf8(desk.bytes("p.npy.json")).unwrap();
+    let shorter = sidecar.replace("\"bytes\": 12096", "\"bytes\": 12095");
+    assert_ne!(shorter, sidecar);
+    fs::write(desk.path("p.npy.json"), shorter).unwrap();
+    desk.run("verify p.npy --device cpu --range 0..5")
+        .expect(1, &["it has 12095 bytes, and 12096 by its shape"]);
     fs::remove_file(desk.path("p.npy")).unwrap();
     desk.run("verify p.npy --device cpu")
         .expect(2, &["p.npy", "can be read"]);
