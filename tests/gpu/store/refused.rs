@@ -21,7 +21,7 @@ fn a_shard_of_other_arguments() {
         ),
         (
             "--count 2100000 --dims 2 --fractions",
-            ["arguments.fractions is false there"],
+            ["arguments.type is \"f32\" there"],
         ),
     ] {
         let run = desk.run(&line(&format!("{rest} --shard 1/2")));
@@ -99,6 +99,14 @@ fn what_no_store_can_be() {
             ["it is a folder", "--out store.zarr"],
         ),
         (
+            "sobol --count 8 --out s.zarr --type u16",
+            ["a Zarr store of u16", "its elements are f32 or u32"],
+        ),
+        (
+            "sobol --count 8 --out s.zarr --chunk-rows 4",
+            ["--chunk-rows for a Zarr store", "drop --chunk-rows"],
+        ),
+        (
             "blue-noise --count 8 --out s.zarr",
             ["blue-noise as a Zarr store", "all at once"],
         ),
@@ -154,5 +162,6 @@ fn what_cannot_be_merged() {
     run.expect(2, &["no attribute `corput`", "corput generate --out"]);
     let huge = other.replace("[4,4]", "[18446744073709551615,4294967295]");
     fs::write(desk.path("empty/zarr.json"), huge).expect("written");
-    desk.run("merge empty").expect(2, &["at most 2^61 words"]);
+    desk.run("merge empty")
+        .expect(2, &["at most 2^63 bytes and 2^61 words"]);
 }
