@@ -57,7 +57,9 @@ pub fn open(argument: Option<&str>) -> Result<Arc<Device>> {
     if is_auto(asked.as_deref()) {
         return Err(Error::Arguments {
             asked: "--device auto".into(),
-            limit: "only `generate` measures the CPU and a device and takes the faster one".into(),
+            limit:
+                "only `generate` and `verify` measure the CPU and a device and take the faster one"
+                    .into(),
             remedy: "name cpu or a device that `corput devices` lists, or drop --device".into(),
         });
     }

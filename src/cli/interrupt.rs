@@ -13,8 +13,12 @@ const CUT_OFF: i32 = 4;
 pub fn install() {
     let handler = || {
         let again = INTERRUPTED.swap(true, Ordering::SeqCst);
-        if again || !CLEANS_UP.load(Ordering::SeqCst) {
+        if !CLEANS_UP.load(Ordering::SeqCst) {
             eprintln!("corput: interrupted; run again");
+            exit();
+        }
+        if again {
+            eprintln!("corput: interrupted; run again, a file of points with --resume");
             exit();
         }
     };

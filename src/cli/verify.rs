@@ -8,7 +8,20 @@ use corput::report::{Comparison, Layout, Sidecar};
 use corput::{Error, Result};
 
 pub fn run(args: &VerifyArgs) -> anyhow::Result<()> {
-    let sidecar = Sidecar::of(&args.file)?;
+    if args.file.is_dir() {
+        return Err(Error::Arguments {
+            asked: format!("verify {}", args.file.display()),
+            limit: "it is a folder, and files are what is made again".into(),
+            remedy: "`corput merge STORE` checks the hashes of a Zarr store".into(),
+        }
+        .into());
+    }
+    // Beside what a link leads to is where `generate` puts the sidecar.
+    let file = match args.file.is_symlink() {
+        true => args.file.canonicalize().unwrap_or(args.file.clone()),
+        false => args.file.clone(),
+    };
+    let sidecar = Sidecar::of(&file)?;
     let shown = args.file.display();
     if sidecar.version != env!("CARGO_PKG_VERSION") {
         eprintln!(
@@ -21,7 +34,7 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<()> {
     let (mut maker, layout) = maker(&made, args.device.as_deref())?;
     if layout != sidecar.layout {
         return Err(Error::Document {
-            path: Sidecar::path_of(&args.file),
+            path: Sidecar::path_of(&file),
             problem: format!(
                 "its arguments make {}, and it says {}",
                 say(layout),
@@ -39,7 +52,7 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<()> {
         );
     }
     let rows = args.range.clone().unwrap_or(0..layout.rows);
-    let comparison = Comparison::open(&args.file, &sidecar, rows.clone())?;
+    let comparison = Comparison::open(&file, &sidecar, rows.clone())?;
     compare(maker.engine.as_mut(), comparison, rows.clone(), layout)?;
     maker.validated()?;
     let count = rows.end - rows.start;

@@ -55,6 +55,14 @@ impl Chunked {
             let remedy = "give the output another name";
             return Err(refused(&sidecar, "it is no regular file", remedy));
         }
+        if sidecar::is_of_others(&sidecar) {
+            let problem = "it is there, and no FILE.json of corput";
+            return Err(refused(
+                &sidecar,
+                problem,
+                "move it, or give the output another name",
+            ));
+        }
         let partial = beside(&real, PARTIAL);
         let description = sidecar::description(&origin, &encoder, rows);
         let mut journal = Journal::open(beside(&real, JOURNAL), asked)?;
@@ -69,7 +77,10 @@ impl Chunked {
         let mut file = match opened {
             Ok(file) => file,
             Err(source) => {
-                journal.remove();
+                // What an earlier run left is still there for the next try.
+                if !known {
+                    journal.remove();
+                }
                 return Err(cannot_create(asked, &partial, &source));
             }
         };

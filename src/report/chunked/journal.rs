@@ -111,6 +111,7 @@ impl Journal {
                 break;
             };
             end += line.len() as u64;
+            self.data += chunk.bytes;
             self.chunks.push((chunk, end));
         }
         Ok(true)

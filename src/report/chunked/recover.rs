@@ -59,7 +59,7 @@ pub(super) fn recover(
             own.update(&*part);
             whole.update(&*part);
             done += part.len() as u64;
-            watch(sound.position + done, total)?;
+            watch(sound.position - header.len() as u64 + done, total)?;
         }
         if hexadecimal(&own.finalize()) != chunk.sha256 {
             break;

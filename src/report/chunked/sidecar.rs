@@ -116,7 +116,11 @@ fn read(value: &Value) -> Result<Sidecar, &'static str> {
         element: Element::from_descr(text("type")?).ok_or("type")?,
     };
     layout.words().map_err(|_| "shape")?;
-    let chunks = value["chunks"].as_array().ok_or("chunks")?.iter();
+    let chunks = value["chunks"].as_array().ok_or("chunks")?;
+    let chunk_rows = number("chunk_rows")?;
+    if chunk_rows == 0 || chunks.len() as u64 != layout.rows.div_ceil(chunk_rows) {
+        return Err("chunks");
+    }
     Ok(Sidecar {
         origin: Origin {
             arguments: value.get("arguments").ok_or("arguments")?.clone(),
@@ -130,13 +134,27 @@ fn read(value: &Value) -> Result<Sidecar, &'static str> {
         format: text("format")?.parse().map_err(|_| "format")?,
         layout,
         bytes: number("bytes")?,
-        chunk_rows: number("chunk_rows")?,
+        chunk_rows,
         chunks: chunks
+            .iter()
             .map(Chunk::read)
             .collect::<Option<_>>()
             .ok_or("chunks")?,
         sha256: text("sha256")?.to_owned(),
     })
+}
+
+/// Whether a file of that name is there that no `generate` wrote, and none may replace.
+pub(super) fn is_of_others(path: &Path) -> bool {
+    let Ok(found) = std::fs::metadata(path) else {
+        return false;
+    };
+    let text = match found.len() {
+        0..=MAX_BYTES => std::fs::read(path).unwrap_or_default(),
+        _ => return true,
+    };
+    let value: Option<Value> = serde_json::from_slice(&text).ok();
+    value.is_none_or(|value| value.get("arguments").is_none())
 }
 
 /// What a run must share with an earlier one to go on from it.

@@ -286,7 +286,7 @@ fn formats_by_name_and_by_ending() {
         (code, text.as_str()),
         (
             2,
-            "unknown format `nyp`, did you mean `npy`?; known: npy, raw, csv, c-header, glsl"
+            "unknown format `nyp`, did you mean `npy`?; known: npy, raw, csv, c-header, glsl, zarr"
         )
     );
     assert!(

@@ -90,6 +90,45 @@ fn complete_chunks_are_kept_and_gone_on_from() {
     }
 }
 
+/// As where too many files are open.
+#[test]
+fn a_partial_file_that_cannot_be_opened_keeps_its_journal() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p");
+    leave(&path, Format::Npy, 5000);
+    let (partial, aside) = (
+        folder.path().join(".p.partial"),
+        folder.path().join("aside"),
+    );
+    fs::rename(&partial, &aside).unwrap();
+    fs::create_dir(&partial).unwrap();
+    let error = open(&path, Format::Npy, 1, true).err().expect("a folder");
+    assert_eq!(error.exit_code(), 2);
+    fs::remove_dir(&partial).unwrap();
+    fs::rename(&aside, &partial).unwrap();
+    assert_eq!(go_on(&path, Format::Npy).0, 4096);
+}
+
+#[test]
+fn files_of_others_are_not_replaced() {
+    for text in ["precious", "{ \"mine\": 1 }", ""] {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("p.json"), text).unwrap();
+        let path = folder.path().join("p");
+        let error = open(&path, Format::Npy, 1, false).err().expect("another's");
+        let said = error.to_string();
+        assert!(
+            said.contains("p.json: it is there, and no FILE.json"),
+            "{said}"
+        );
+        assert_eq!(names(&folder), ["p.json"]);
+        assert_eq!(
+            fs::read(folder.path().join("p.json")).unwrap(),
+            text.as_bytes()
+        );
+    }
+}
+
 /// What befalls the files that a run left.
 type Damage<'a> = dyn Fn(&TempDir) + 'a;
 

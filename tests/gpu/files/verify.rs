@@ -109,6 +109,20 @@ fn a_cut_file_differs_and_a_missing_one_is_refused() {
 }
 
 #[test]
+#[cfg(unix)]
+fn links_lead_to_files_and_folders_are_no_files() {
+    let desk = desk("p.npy");
+    std::os::unix::fs::symlink("p.npy", desk.path("l.npy")).unwrap();
+    desk.run("verify l.npy --device cpu").expect(0, &[]);
+    flip(&desk, "p.npy", 5000);
+    desk.run("verify l.npy --device cpu")
+        .expect(1, &["p.npy differs"]);
+    fs::create_dir(desk.path("s.zarr")).unwrap();
+    desk.run("verify s.zarr")
+        .expect(2, &["verify s.zarr", "corput merge STORE"]);
+}
+
+#[test]
 fn ranges_outside_are_refused() {
     let desk = desk("p.npy");
     for (range, words) in [
@@ -142,6 +156,9 @@ fn sidecars_that_do_not_fit_are_told() {
     run("/sha256", json!(other)).expect(1, &["its SHA-256 is", "by its sidecar"]);
     run("/chunks/1/sha256", json!(other)).expect(1, &["chunk 1 has not the SHA-256"]);
     run("/chunks/1/bytes", json!(3201)).expect(1, &["other chunks"]);
+    run("/chunks", json!([])).expect(2, &["`chunks` is missing or of a wrong kind"]);
+    run("/chunk_rows", json!(5)).expect(2, &["`chunks`"]);
+    run("/chunk_rows", json!(0)).expect(2, &["`chunks`"]);
     run("/version", json!("0.0.9")).expect(0, &["warning", "0.0.9", "points may differ"]);
     run("/arguments/first", json!(1)).expect(1, &["1000 of 1000 rows differ"]);
     run("/arguments/count", json!(999)).expect(2, &["999 x 2 of <f4", "1000 x 2"]);
