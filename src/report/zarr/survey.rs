@@ -1,7 +1,7 @@
 //! Whether a store is whole, and what its array hashes to.
 
 use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::{self, ErrorKind, Read};
 use std::ops::Range;
 
 use serde_json::json;
@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 
 use super::fault::{Fault, Record};
 use super::{Store, aside, metadata};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::report::hexadecimal;
 use crate::report::place::failed;
 
@@ -35,13 +35,21 @@ impl Survey {
     }
 }
 
+fn is_read_only(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem
+    )
+}
+
 impl Store {
     /// Reads every chunk and compares it with its record; `step` is told how many are done. A
     /// store without faults then has the record of the whole, and nothing that is unfinished.
     ///
     /// # Errors
     ///
-    /// [`crate::Error::Io`] if something cannot be read or written, and those of `step`.
+    /// [`Error::Io`] if something cannot be read or written, but for the record of a store that
+    /// may only be read; and those of `step`.
     pub fn survey(&self, step: &mut dyn FnMut(u64) -> Result<()>) -> Result<Survey> {
         let mut whole = Sha256::new();
         let mut faults: Vec<(Range<u64>, Fault)> = Vec::new();
@@ -55,11 +63,20 @@ impl Store {
             step(chunk + 1)?;
         }
         let sha256 = hexadecimal(&whole.finalize());
+        let path = self.records().join("array.json");
         if faults.is_empty() {
             let record = json!({ "array": self.array, "sha256": sha256 });
-            let path = self.records().join("array.json");
-            aside::save(&self.records(), &path, &metadata::text(&record))?;
-            aside::sweep(&self.records())?;
+            match aside::save(&self.records(), &path, &metadata::text(&record)) {
+                // Whoever may only read learns whether it is whole all the same.
+                Err(Error::Io { source, .. }) if is_read_only(&source) => {}
+                done => {
+                    done?;
+                    aside::sweep(&self.records())?;
+                }
+            }
+        } else {
+            // It said that all were there.
+            let _ = std::fs::remove_file(path);
         }
         Ok(Survey { faults, sha256 })
     }
@@ -68,7 +85,7 @@ impl Store {
     ///
     /// # Errors
     ///
-    /// [`crate::Error::Io`] if it is there and cannot be read.
+    /// [`Error::Io`] if it is there and cannot be read.
     pub fn fault(&self, chunk: u64) -> Result<Option<Fault>> {
         self.compare(chunk, &mut |_| {})
     }

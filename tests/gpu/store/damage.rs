@@ -18,6 +18,8 @@ fn damaged(break_it: impl FnOnce(&Desk), words: &[&str]) {
     run.expect(1, words);
     run.expect(1, &["1 of 3 chunks are missing or not what they were"]);
     assert!(!run.stdout.contains("sha256 "), "{}", run.stdout);
+    let record = desk.path("s.zarr/corput/array.json");
+    assert!(!record.exists(), "it says that all chunks are there");
     // A reader that goes by the exit code, and one that goes by the document.
     let json = desk.run("merge s.zarr --json");
     json.expect(1, &["\"complete\": false", "\"sha256\": null"]);

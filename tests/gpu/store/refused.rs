@@ -32,7 +32,10 @@ fn a_shard_of_other_arguments() {
     // Attributes that others add do not count; a shape that others change does.
     let path = desk.path("s.zarr/zarr.json");
     let text = fs::read_to_string(&path).expect("metadata");
-    let added = text.replace("\"attributes\": {", "\"attributes\": { \"by\": \"me\",");
+    let added = text.replace(
+        "\"attributes\": {",
+        "\"storage_transformers\": [], \"attributes\": { \"by\": \"me\",",
+    );
     fs::write(&path, added).expect("written");
     desk.say(&line("--count 2100000 --dims 2 --shard 1/2"));
     desk.merged("s.zarr");

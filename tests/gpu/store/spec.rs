@@ -119,7 +119,8 @@ fn zarr_python_reads_the_same() {
         return;
     };
     let script = "import hashlib, sys, zarr\n\
-                  a = zarr.open_array(sys.argv[1], mode='r')\n\
+                  a = zarr.open_array(sys.argv[1], mode='r+')\n\
+                  a.attrs['note'] = 'mine'\n\
                   print(a.shape, a.dtype, a.chunks, hashlib.sha256(a[:].tobytes()).hexdigest())";
     for (arguments, rows) in CASES {
         let desk = Desk::new();
@@ -141,6 +142,8 @@ fn zarr_python_reads_the_same() {
             "{said}{}",
             String::from_utf8_lossy(&run.stderr)
         );
+        // An attribute of others changes nothing.
+        desk.run("merge a.zarr").expect(0, &[]);
     }
 }
 
