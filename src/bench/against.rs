@@ -105,6 +105,14 @@ impl Baseline {
     }
 }
 
+impl Baseline {
+    /// Whether it has a job of this name.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.jobs.iter().any(|job| job.name == name)
+    }
+}
+
 /// Each measurement against the baseline's of the same name.
 ///
 /// A machine may be slower as a whole, and its memory alone may be faster: a job counts as

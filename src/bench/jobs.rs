@@ -44,7 +44,7 @@ const POINTS: &[Points] = &[
     ("R2 d=2", Sequence::R2, None, 2, None),
 ];
 
-/// What the CPU path is to reach wherever a device has a goal as a multiple of the fill.
+/// What the CPU path is to reach wherever a device has a goal.
 const CPU_FILLS: f64 = 1.3;
 
 /// Directions fused with their points: name, map, profile, and the goal in G points/s.
@@ -91,7 +91,7 @@ pub fn jobs() -> Result<Vec<Job>> {
             name: name.to_owned(),
             request: Request::new(&options)?,
             goal: goal.map(|giga| Goal::Rate(giga * 1e9)),
-            cpu_goal: None,
+            cpu_goal: goal.map(|_| Goal::Fill(CPU_FILLS)),
         });
     }
     for &(map, values) in MAPS {
@@ -125,6 +125,7 @@ pub fn chosen(only: &[String]) -> Result<Vec<Job>> {
     {
         let names: Vec<&str> = jobs.iter().map(|job| job.name.as_str()).collect();
         let words = names.iter().flat_map(|name| name.split([' ', ',']));
+        let words = words.filter(|word| !word.is_empty());
         let words: Vec<String> = words.map(str::to_lowercase).collect();
         return Err(Error::UnknownName {
             kind: "job",

@@ -27,7 +27,8 @@ pub struct Measurement {
     pub points: u64,
     /// Bytes stored.
     pub bytes: u64,
-    /// Seconds of the first piece, with what is compiled or prepared for it.
+    /// Seconds until the first 2^16 points at most are there, by the host's clock: with what is
+    /// compiled, allocated and prepared for them.
     pub cold_s: f64,
     /// Median time of all points, in seconds: device time, or the host's on the CPU.
     pub median_s: f64,

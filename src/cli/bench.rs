@@ -3,6 +3,7 @@
 use super::args::BenchArgs;
 use super::{host, print, progress, strip};
 use comfy_table::{CellAlignment, Table, presets};
+use corput::Error;
 use corput::bench::scene::{compare, document, suited};
 use corput::bench::{self, Baseline, Change, Goal, Machine, Measurement, changes};
 use corput::scene::{self, Needs};
@@ -17,6 +18,16 @@ pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
     // What cannot be used is said before anything is timed.
     let jobs = bench::chosen(&args.only)?;
     let baseline = args.against.as_deref().map(Baseline::read).transpose()?;
+    if let (Some(baseline), Some(path)) = (&baseline, &args.against)
+        && !jobs.iter().any(|job| baseline.has(&job.name))
+    {
+        return Err(Error::Document {
+            path: path.clone(),
+            problem: "it has none of the jobs that are to be measured".into(),
+            remedy: "give a file that `corput bench --json` wrote of the same jobs",
+        }
+        .into());
+    }
     let asked = host::asked(args.device.as_deref());
     let device = match host::is_cpu(asked.as_deref()) {
         true => None,

@@ -67,6 +67,7 @@ fn slower_jobs_are_an_error_and_new_ones_are_named() {
     let document = json(&machine(), &[measured("a", 0.1, 0.001, 0.05)], None);
     let before = baseline(&document).expect("a baseline");
     assert_eq!(before.device, "a device");
+    assert!(before.has("a") && !before.has("b"));
     let now = [
         measured("a", 0.1, 0.001, 0.05),
         measured("b", 0.2, 0.001, 0.05),

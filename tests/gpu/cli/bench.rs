@@ -77,6 +77,8 @@ fn the_cpu_is_measured_without_a_device() {
         100.0,
     );
     run.expect(0, &["of another device: another"]);
+    desk.run("bench --device cpu --only r2 --against before.json")
+        .expect(2, &["before.json", "none of the jobs"]);
 }
 
 #[test]
