@@ -1,5 +1,5 @@
 //! corput beside other makers of samples: the same jobs, verified, and timed in turns in one
-//! run. Prints the table that the README shows.
+//! run. Prints the rates of which the README's table is made.
 //!
 //! ```text
 //! bash benches/peers/run [JOB ...]     # parts of names of jobs; all without
