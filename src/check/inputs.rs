@@ -104,7 +104,8 @@ fn floats() -> Vec<u32> {
 }
 
 /// Any bits as a normal float of either sign.
-fn normal(bits: u32) -> u32 {
+#[must_use]
+pub fn normal(bits: u32) -> u32 {
     let exponent = (bits >> 23) & 0xff;
     if exponent == 0 || exponent == 255 {
         (bits & 0x807f_ffff) | (127 << 23)

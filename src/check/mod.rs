@@ -33,7 +33,7 @@ pub use cases::cases;
 pub use compare::{Comparison, compare};
 pub use estimates::{compare_estimates, judged_range};
 pub use functions::{compare_function, function_error, function_words};
-pub use inputs::{arguments, critical, mix};
+pub use inputs::{arguments, critical, mix, normal};
 pub use junit::{Further, junit};
 pub use maps::{compare_map, examples, fractions, judge_native, truth};
 pub use native::{NATIVE, NativeRow, compare_native};

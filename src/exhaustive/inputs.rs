@@ -1,7 +1,7 @@
 //! The inputs of a row, each made from its number alone.
 
 use crate::catalog::Kind;
-use crate::check::mix;
+use crate::check::{mix, normal};
 use crate::reference::hemisphere::{cosine_hemisphere, uniform_hemisphere};
 use crate::tables::PRIMES;
 use glam::uvec2;
@@ -100,13 +100,5 @@ fn taken(kind: Kind, [x, y, z, w]: [u32; 4], random: bool) -> [u32; 4] {
             let up = if z & 2 == 0 { d.z } else { -d.z };
             [d.x.to_bits(), d.y.to_bits(), up.to_bits(), w]
         }
-    }
-}
-
-/// Any bits as a normal float of either sign.
-fn normal(bits: u32) -> u32 {
-    match (bits >> 23) & 0xff {
-        0 | 255 => (bits & 0x807f_ffff) | (127 << 23),
-        _ => bits,
     }
 }
