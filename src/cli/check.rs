@@ -77,9 +77,9 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
 
 /// A time that is one.
 fn seconds(asked: f64) -> corput::Result<Duration> {
-    Duration::try_from_secs_f64(asked).map_err(|error| Error::Arguments {
+    Duration::try_from_secs_f64(asked).map_err(|_| Error::Arguments {
         asked: format!("--seconds {asked}"),
-        limit: error.to_string(),
+        limit: "it is from 0 to below 2^64".into(),
         remedy: "give a number of seconds, as 30".into(),
     })
 }

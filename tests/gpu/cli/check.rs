@@ -68,6 +68,8 @@ fn a_short_time_leaves_rows_out_and_says_so() {
     desk.run("check --seconds 0")
         .expect(2, &["--seconds 0", "no row began"]);
     desk.run("check --seconds -3").expect(2, &["-3"]);
+    desk.run("check --seconds nan")
+        .expect(2, &["--seconds NaN", "from 0"]);
     desk.run("check --seconds x").expect(2, &["x"]);
 }
 
