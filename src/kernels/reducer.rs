@@ -116,10 +116,9 @@ impl Reducer {
                 remedy: "split the sum otherwise".into(),
             });
         }
-        let parts = split
-            .dispatch
-            .min(terms.len().max(1))
-            .div_ceil(split.run as usize);
+        // No more memory than the terms need.
+        let most = split.dispatch.min(terms.len().max(1));
+        let parts = most.div_ceil(split.run as usize);
         let bytes = RECORD * (WINDOWS * parts) as u64;
         let limit = self.device.info().limits.max_storage_buffer_range;
         if bytes > limit {
@@ -130,7 +129,7 @@ impl Reducer {
             });
         }
         let mut results = Buffer::new(&self.device, bytes, Access::Readback)?;
-        let mut input = Buffer::new(&self.device, 4 * split.dispatch as u64, Access::Upload)?;
+        let mut input = Buffer::new(&self.device, 4 * most as u64, Access::Upload)?;
         let mut all = FloatSum::default();
         for part in terms.chunks(split.dispatch) {
             input.write(0, bytemuck::cast_slice(part))?;
