@@ -45,7 +45,9 @@ pub struct Function {
     /// Worst error against the judge, in ULP of float or in the unit named; `None` for
     /// integers, which are exact.
     pub bound: Option<f64>,
-    /// Unit of the bound and of the measured error.
+    /// Unit of the bound and of the measured error. `2^-26 or ULP` of `normal_tail`: the relative
+    /// error of the tail's mass up to 7 in units of 2^-26, or that of the density in ULP, whichever
+    /// is larger.
     pub unit: &'static str,
 }
 
