@@ -19,7 +19,8 @@
 //! - [`mod@strip`]: a shader without what it does not reach, as one file.
 //! - `check`: device against reference, judged by a third, slow implementation in
 //!   [`judge`].
-//! - `exhaustive`: functions of one word over every word, those of two over every critical pair.
+//! - `exhaustive`: functions of one word over every word, those of two and maps over every critical
+//!   pair.
 //! - `extreme`: extreme inputs as data, with what common formulas make of them, for the CPU and
 //!   for a device.
 //! - `vectors`: words of all of it, for ports to test themselves with.

@@ -191,7 +191,7 @@ fn sampled(mapper: &Mapper, mapping: &Mapping, row: &mut Row) -> Result<()> {
         let Some(truth) = truth(mapping, u) else {
             continue;
         };
-        let (error, bound) = error(map, got, &truth);
+        let (error, bound) = map_error(map, got, &truth);
         row.bound = Some(1.0);
         row.unit = "of bound";
         let ratio = error / bound;
@@ -208,9 +208,11 @@ fn sampled(mapper: &Mapper, mapping: &Mapping, row: &mut Row) -> Result<()> {
     Ok(())
 }
 
-/// The error in ULP of the word that is worst by its bound, and that bound.
-fn error(map: &Map, got: &[u32], truth: &[f64; 4]) -> (f64, f64) {
-    let last = got.len() - 1;
+/// The error in ULP of the word that is worst by its bound, and that bound, of the words of a
+/// sample with its pdf against [`truth`](crate::check::truth).
+#[must_use]
+pub fn map_error(map: &Map, got: &[u32], truth: &[f64; 4]) -> (f64, f64) {
+    let last = got.len().saturating_sub(1);
     let mut worst = (0.0, 1.0);
     for (i, (&word, &t)) in got.iter().zip(truth).enumerate() {
         let x = f32::from_bits(word);

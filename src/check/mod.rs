@@ -35,7 +35,7 @@ pub use estimates::{compare_estimates, judged_range};
 pub use functions::{compare_function, function_error, function_words};
 pub use inputs::{arguments, critical, mix, normal};
 pub use junit::{Further, junit};
-pub use maps::{compare_map, examples, fractions, judge_native, truth};
+pub use maps::{compare_map, examples, fractions, judge_native, map_error, truth};
 pub use native::{NATIVE, NativeRow, compare_native};
 pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};

@@ -296,8 +296,8 @@ pub struct CheckArgs {
     #[arg(long, conflicts_with_all = ["seconds", "junit", "only", "report", "compare"])]
     pub extreme: bool,
     /// Check functions over all their inputs instead: those of one word and the radical inverses in
-    /// bases 2, 3, 5 and 8161 over all 2^32, the others over all pairs of critical values and 2^24
-    /// random inputs. All rows take hours on a CPU's driver; choose with --only.
+    /// bases 2, 3, 5 and 8161 over all 2^32, the others and the maps over all pairs of critical values
+    /// and 2^24 random inputs. All rows take hours on a CPU's driver; choose with --only.
     #[arg(long, conflicts_with_all = ["seconds", "junit", "report", "compare", "extreme"])]
     pub exhaustive: bool,
     /// Only rows whose name, header or kernel contains this.

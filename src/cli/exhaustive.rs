@@ -60,6 +60,9 @@ fn line(row: &Row) -> String {
     format!("{} {}, {:.0} s", sign(&row.verdict), row.name, row.seconds)
 }
 
+/// Characters of four words.
+const WORDS: usize = 40;
+
 fn table(rows: &[Row]) -> Table {
     let mut table = Table::new();
     table
@@ -78,6 +81,8 @@ fn table(rows: &[Row]) -> Table {
         };
         let [.., undecided] = row.figures.roundings;
         let correct = row.correct();
+        // What has parameters would widen the column.
+        let is_long = row.worst_at.len() > WORDS;
         table.add_row([
             sign(&row.verdict).to_owned(),
             row.name.clone(),
@@ -86,13 +91,20 @@ fn table(rows: &[Row]) -> Table {
             number(row.worst),
             number(row.bound),
             row.unit.to_owned(),
-            row.worst_at.clone(),
+            if is_long {
+                String::new()
+            } else {
+                row.worst_at.clone()
+            },
             correct.map_or(String::new(), |share| format!("{:.4} %", 100.0 * share)),
             correct.map_or(String::new(), |_| undecided.to_string()),
             hash.to_owned(),
             format!("{:.0}", row.seconds),
         ]);
-        table.add_row(["", &format!("  {}", row.inputs)]);
+        table.add_row(["", &format!("  {}", inputs(row))]);
+        if is_long {
+            table.add_row(["", &format!("  worst at {}", row.worst_at)]);
+        }
         match &row.verdict {
             Verdict::Failed if !row.witness.is_empty() => {
                 table.add_row(["", &format!("  {}", row.witness)]);
@@ -109,6 +121,15 @@ fn table(rows: &[Row]) -> Table {
         }
     }
     table
+}
+
+/// What a row's inputs are, and how many of them were judged, where not all.
+fn inputs(row: &Row) -> String {
+    match row.figures.judged {
+        0 => row.inputs.clone(),
+        judged if judged == row.figures.compared => row.inputs.clone(),
+        judged => format!("{}; {judged} judged", row.inputs),
+    }
 }
 
 fn summary(rows: &[Row]) -> String {

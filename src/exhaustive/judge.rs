@@ -59,6 +59,7 @@ impl Judge for OfFunction<'_> {
                 figures.differs(i, || format!("{a:08x?}: {got:08x?}, not {expected:08x?}"));
             }
             if let Some(truths) = truths {
+                figures.judged += 1;
                 judged(&mut figures, truths, i, a, got);
             }
             // What has no truths above is judged in the unit of its row.
@@ -68,7 +69,9 @@ impl Judge for OfFunction<'_> {
                 (None, _) => false,
             };
             if asked {
-                figures.error(i, a, function_error(name, a, got));
+                figures.judged += u64::from(truths.is_none());
+                let error = function_error(name, a, got);
+                figures.error(i, error, || format!("{a:08x?}"));
             }
         }
         figures
@@ -79,7 +82,7 @@ fn judged(figures: &mut Figures, truths: Truths, i: u64, a: [u32; 4], got: [u32;
     for (truth, word) in truths(a).into_iter().zip(got) {
         let Some(truth) = truth else { continue };
         let (error, rounding) = truth.judge(f32::from_bits(word));
-        figures.error(i, a, error);
+        figures.error(i, error, || format!("{a:08x?}"));
         figures.rounded(rounding);
     }
 }
@@ -151,6 +154,7 @@ impl Judge for OfBase {
             let n = i as u32;
             let expected = self.twin.value(n, &mut odometer);
             figures.compared += 1;
+            figures.judged += 1;
             if got != expected {
                 figures.differs(i, || format!("{n}: {got:08x}, not {expected:08x}"));
             }
@@ -158,7 +162,8 @@ impl Judge for OfBase {
                 figures.rounded(Rounding::Correct);
             } else {
                 figures.rounded(Rounding::Other);
-                figures.error(i, [n, self.base, 0, 0], f64::INFINITY);
+                let what = || format!("{:08x?}", [n, self.base, 0, 0]);
+                figures.error(i, f64::INFINITY, what);
             }
             truth.step();
         }

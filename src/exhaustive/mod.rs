@@ -1,31 +1,40 @@
 //! Functions over all their inputs: those of one word over every word, radical inverses over
-//! every index, all others over every pair of critical values and 2^24 random inputs.
+//! every index, all others over every pair of critical values and 2^24 random inputs; maps too,
+//! with the parameter sets of `corput check`.
 //!
 //! A row compares each result with the CPU twin, and the floats with a truth that shares no
 //! arithmetic with it: `f64` from the definitions, with a bound of its own error, so that
-//! each result is known to be correctly rounded, known not to be, or counted as undecided.
+//! each result is known to be correctly rounded, known not to be, or counted as undecided. Of maps,
+//! whose judges are slower, those of critical inputs and of a share of the random ones.
 //! The SHA-256 of all results in order must be the published one, where one is. Memory stays
 //! below 1 GiB: results come in chunks of at most 64 MiB, of which one is made while another
 //! is compared and hashed.
 
 mod compare;
 mod document;
+mod edges;
+mod fractions;
 mod inputs;
 mod judge;
 mod manifest;
+mod maps;
 mod row;
 mod truth;
 
 use compare::compare;
 pub use compare::{Source, Watch};
 pub use document::{About, SCHEMA, json};
+pub use fractions::{Fractions, Input};
 pub use inputs::{Domain, RANDOM, arguments};
 pub use manifest::{publish, published};
+pub use maps::{compare_map, mapper};
 pub use row::{Figures, Hash, Row};
 pub use truth::{Rounding, Truth};
 
-use crate::catalog::Tier;
-use crate::catalog::{Engine, FUNCTIONS, Function, Kind, Options as Points, Request, Sequence};
+use crate::catalog::{
+    Engine, FUNCTIONS, Function, Kind, Map, Options as Points, Request, Sequence,
+};
+use crate::catalog::{Profile, Tier, maps};
 use crate::check::Verdict;
 use crate::kernels::{Evaluator, Generator, probe};
 use crate::vulkan::Device;
@@ -43,6 +52,8 @@ pub enum Subject {
     Function(&'static Function, Domain),
     /// The radical inverses in a base, as the kernels of points make them.
     Inverses(u32),
+    /// A map, with the parameter sets of `corput check`.
+    Map(&'static Map),
 }
 
 impl Subject {
@@ -52,29 +63,32 @@ impl Subject {
         match self {
             Self::Function(function, _) => function.name.to_owned(),
             Self::Inverses(base) => format!("radical_inverse in base {base}"),
+            Self::Map(map) => map.name.to_owned(),
         }
     }
 
-    /// Inputs of the row.
-    #[must_use]
-    pub fn inputs(&self) -> u64 {
+    fn tier(&self) -> Tier {
         match self {
-            Self::Function(function, domain) => domain.inputs(function.kind),
-            Self::Inverses(_) => INDICES,
+            Self::Function(function, _) => function.tier,
+            Self::Inverses(_) => Tier::Integer,
+            Self::Map(map) => map.tier,
         }
     }
 
     fn contains(&self, part: &str) -> bool {
-        let Self::Function(function, _) = self else {
-            return self.name().contains(part);
+        let (header, kernel) = match self {
+            Self::Function(function, _) => (function.header, function.kernel),
+            Self::Inverses(_) => ("", ""),
+            Self::Map(map) => ("", map.group.kernel(Profile::Exact)),
         };
-        [function.name, function.header, function.kernel]
+        [&self.name(), header, kernel]
             .iter()
             .any(|name| name.contains(part))
     }
 }
 
-/// Every row, in the order of the catalogue; those of radical inverses by base come first.
+/// Every row, in the order of the catalogue; those of radical inverses by base come first, and
+/// those of maps last.
 pub fn subjects() -> impl Iterator<Item = Subject> {
     let functions = FUNCTIONS.iter().map(|function| {
         let domain = match function.kind {
@@ -83,7 +97,8 @@ pub fn subjects() -> impl Iterator<Item = Subject> {
         };
         Subject::Function(function, domain)
     });
-    BASES.map(Subject::Inverses).into_iter().chain(functions)
+    let inverses = BASES.map(Subject::Inverses).into_iter();
+    inverses.chain(functions).chain(maps().map(Subject::Map))
 }
 
 /// The rows whose name, header or kernel contains this, or all.
@@ -121,7 +136,7 @@ pub fn run(
     for subject in subjects {
         let name = subject.name();
         let row = match subject {
-            Subject::Function(function, _) if function.tier == Tier::Float && !exact_floats => {
+            subject if subject.tier() == Tier::Float && !exact_floats => {
                 let why = "the probe does not find rounding to nearest even";
                 Row::refused(subject, why)
             }
@@ -135,6 +150,12 @@ pub fn run(
                 let generator = Generator::new(device, &request)?;
                 let watch = &mut |done, total| watch(&name, done, total);
                 compare_inverses(generator, *base, INDICES, watch)?
+            }
+            Subject::Map(map) => {
+                let fractions = Fractions::new(map)?;
+                let mut mapper = mapper(device, &fractions)?;
+                let watch = &mut |done, total| watch(&name, done, total);
+                compare_map(&mut mapper, &fractions, watch)?
             }
         };
         seen(&row);

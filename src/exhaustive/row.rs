@@ -1,7 +1,8 @@
 //! A row, and the figures that it is made from.
 
 use super::truth::Rounding;
-use super::{Subject, manifest};
+use super::{Fractions, Subject, manifest};
+use crate::catalog::Profile;
 use crate::check::Verdict;
 use serde_json::{Value, json};
 
@@ -12,12 +13,14 @@ pub struct Figures {
     pub compared: u64,
     /// Those of which a word differs.
     pub mismatches: u64,
+    /// Those compared with a truth, too.
+    pub judged: u64,
     /// Results that are the nearest float, are not, and may be either.
     pub roundings: [u64; 3],
     /// The first mismatch: number of the input, and what it was.
     mismatch: Option<(u64, String)>,
-    /// The worst error, and the first input that has it.
-    worst: Option<(f64, u64, [u32; 4])>,
+    /// The worst error, the first input that has it, and what that is.
+    worst: Option<(f64, u64, String)>,
 }
 
 impl Figures {
@@ -27,12 +30,12 @@ impl Figures {
         self.mismatch.get_or_insert_with(|| (i, what()));
     }
 
-    /// An error of input number `i`.
-    pub fn error(&mut self, i: u64, a: [u32; 4], error: f64) {
+    /// An error of input number `i`, which `what` names.
+    pub fn error(&mut self, i: u64, error: f64, what: impl Fn() -> String) {
         // A NaN must not pass unseen.
         let error = if error.is_nan() { f64::INFINITY } else { error };
-        if self.worst.is_none_or(|(worst, ..)| error > worst) {
-            self.worst = Some((error, i, a));
+        if self.worst.as_ref().is_none_or(|(worst, ..)| error > *worst) {
+            self.worst = Some((error, i, what()));
         }
     }
 
@@ -50,6 +53,7 @@ impl Figures {
     pub fn merge(&mut self, other: Self) {
         self.compared += other.compared;
         self.mismatches += other.mismatches;
+        self.judged += other.judged;
         for (mine, its) in self.roundings.iter_mut().zip(other.roundings) {
             *mine += its;
         }
@@ -57,7 +61,7 @@ impl Figures {
             (Some(a), Some(b)) => Some(if a.0 <= b.0 { a } else { b }),
             (a, b) => a.or(b),
         };
-        self.worst = match (self.worst, other.worst) {
+        self.worst = match (self.worst.take(), other.worst) {
             (Some(a), Some(b)) if b.0 > a.0 || b.0 == a.0 && b.1 < a.1 => Some(b),
             (a, b) => a.or(b),
         };
@@ -94,7 +98,8 @@ pub struct Row {
     pub bound: Option<f64>,
     /// The unit of both.
     pub unit: &'static str,
-    /// The input of the worst error: its four words in hexadecimal.
+    /// The input of the worst error: its words in hexadecimal, and of maps their parameters
+    /// before and the ULP after them.
     pub worst_at: String,
     /// The first mismatch; empty where there is none.
     pub witness: String,
@@ -119,6 +124,13 @@ impl Row {
                 function.bound,
                 function.unit,
                 domain.describe(function.kind),
+            ),
+            Subject::Map(map) => (
+                map.group.kernel(Profile::Exact),
+                map.tier.letter(),
+                Some(1.0),
+                "of bound",
+                Fractions::describe(map),
             ),
             Subject::Inverses(_) => ("points", "I", Some(0.0), "2^-32", "all 2^32 indices".into()),
         };
@@ -156,10 +168,10 @@ impl Row {
             self.witness.clone_from(what);
         }
         if self.bound.is_some() && figures.compared > 0 {
-            self.worst = Some(figures.worst.map_or(0.0, |(worst, ..)| worst));
+            self.worst = Some(figures.worst.as_ref().map_or(0.0, |(worst, ..)| *worst));
         }
-        if let Some((_, _, a)) = figures.worst {
-            self.worst_at = format!("{a:08x?}");
+        if let Some((_, _, what)) = &figures.worst {
+            self.worst_at.clone_from(what);
         }
         self.hash = match manifest::published(&self.name, &self.inputs) {
             None => Hash::Unpublished,
@@ -209,6 +221,7 @@ impl Row {
             "inputs": self.inputs,
             "compared": self.figures.compared,
             "mismatches": self.figures.mismatches,
+            "judged": self.figures.judged,
             "witness": self.witness,
             // JSON has no infinity.
             "worst": self.worst.filter(|worst| worst.is_finite()),

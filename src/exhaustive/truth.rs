@@ -22,6 +22,19 @@ pub enum Rounding {
     Undecided,
 }
 
+impl Rounding {
+    /// Of a result whose exact value lies within `away` of `value`.
+    #[must_use]
+    pub fn of(got: f32, value: f64, away: f64) -> Self {
+        let (low, high) = (nearest(value - away), nearest(value + away));
+        match got {
+            got if got != low && got != high => Self::Other,
+            _ if low == high => Self::Correct,
+            _ => Self::Undecided,
+        }
+    }
+}
+
 /// Of one function of `f64`, from a good library, and few operations around it.
 const LIBRARY: f64 = 1.0 / (1u64 << 50) as f64;
 
@@ -63,12 +76,7 @@ impl Truth {
             true => self.value.abs() * self.relative,
             false => 0.0,
         };
-        let (low, high) = (nearest(self.value - away), nearest(self.value + away));
-        let rounding = match got {
-            got if got != low && got != high => Rounding::Other,
-            _ if low == high => Rounding::Correct,
-            _ => Rounding::Undecided,
-        };
+        let rounding = Rounding::of(got, self.value, away);
         let near = nearest(self.value);
         let saturated =
             near == 0.0 || near.abs() == f32::MAX && self.value.abs() > near.abs().into();

@@ -5,6 +5,8 @@
 //! Hashes that are others fail the test, which prints them. `-- --ignored` tries all 2^32
 //! inputs.
 
+#[path = "exhaustive/maps.rs"]
+mod maps;
 mod support;
 
 use std::sync::Arc;
