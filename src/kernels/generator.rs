@@ -19,6 +19,7 @@ const TARGET_NS: f64 = 1e8;
 /// Makes the points of a request on a device.
 pub struct Generator {
     width: u64,
+    count: u64,
     points: Points,
     mapped: Option<Mapped>,
     limit: u64,
@@ -70,7 +71,11 @@ impl Generator {
         let most = BUFFER_BYTES / (4 * width);
         let points = Points::new(device, &inner, plan, &words, Access::DeviceOnly, most)?;
         let results = Buffer::new(device, points.limit() * 4 * width, Access::Readback)?;
-        Ok(Self::start(points, width, Some(Mapped { mapper, results })))
+        Ok(Self::start(
+            points,
+            request,
+            Some(Mapped { mapper, results }),
+        ))
     }
 
     /// A request that one kernel serves, with other SPIR-V of the same interface: how tests
@@ -92,18 +97,16 @@ impl Generator {
             Access::Readback,
             u64::MAX >> 8,
         )?;
-        Ok(Self::start(
-            points,
-            u64::from(request.words_per_point()),
-            None,
-        ))
+        Ok(Self::start(points, request, None))
     }
 
-    fn start(points: Points, width: u64, mapped: Option<Mapped>) -> Self {
+    fn start(points: Points, request: &Request, mapped: Option<Mapped>) -> Self {
+        let width = u64::from(request.words_per_point());
         let limit = points.limit();
         let first = (FIRST_WORDS / width).next_multiple_of(points.tile());
         Self {
             width,
+            count: request.count,
             points,
             mapped,
             limit,
@@ -177,6 +180,14 @@ impl Generator {
 }
 
 impl Engine for Generator {
+    fn count(&self) -> u64 {
+        self.count
+    }
+
+    fn words_per_point(&self) -> u32 {
+        self.width as u32
+    }
+
     fn make(
         &mut self,
         start: u64,
