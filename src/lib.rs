@@ -7,7 +7,7 @@
 //! - [`headers`]: the GLSL, for an engine to include.
 //! - [`mod@reference`]: its twin in Rust, function by function.
 //! - [`catalog::Request`]: a checked description of points; [`bulk::Reference`] makes them
-//!   on the CPU, `kernels::Generator` on a device.
+//!   on the CPU, `kernels::Generator` on a device, and [`catalog::Chunks`] iterates over either.
 //! - [`mod@environment`]: environment maps as distributions of directions.
 //! - [`mod@estimate`]: exact sums of integrands over points, [`bulk::estimate`] on the CPU,
 //!   `kernels::Estimator` on a device.

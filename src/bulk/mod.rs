@@ -32,7 +32,7 @@ pub use scene::SceneReference;
 pub use stored::Stored;
 
 use crate::Result;
-use crate::catalog::{Engine, Output, Request};
+use crate::catalog::{Engine, Output, Request, whole_points};
 use column::Prepared;
 use points::{Points, STRIDE};
 use std::num::NonZero;
@@ -164,6 +164,14 @@ impl Reference {
 }
 
 impl Engine for Reference {
+    fn count(&self) -> u64 {
+        self.request.count
+    }
+
+    fn words_per_point(&self) -> u32 {
+        self.request.words_per_point()
+    }
+
     fn make(
         &mut self,
         start: u64,
@@ -177,7 +185,7 @@ impl Engine for Reference {
             let points = (count - done).min(self.chunk());
             // At most PIECE words, or a row.
             piece.resize(points as usize * width, 0);
-            self.fill(start + done, &mut piece);
+            Self::fill(self, start + done, &mut piece);
             take(&piece)?;
             done += points;
         }
@@ -187,5 +195,12 @@ impl Engine for Reference {
 
     fn chunk(&self) -> u64 {
         (PIECE / self.width() as u64).max(1)
+    }
+
+    /// In place, without a copy.
+    fn fill(&mut self, start: u64, words: &mut [u32]) -> Result<()> {
+        whole_points(self, start, words.len())?;
+        Self::fill(self, start, words);
+        Ok(())
     }
 }

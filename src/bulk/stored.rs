@@ -43,6 +43,14 @@ impl Stored {
 }
 
 impl Engine for Stored {
+    fn count(&self) -> u64 {
+        self.points.len() as u64
+    }
+
+    fn words_per_point(&self) -> u32 {
+        Self::words_per_point(self)
+    }
+
     fn make(
         &mut self,
         start: u64,

@@ -1,6 +1,8 @@
 //! What there is: sequences, maps, and one row per function, as plain data.
 
+mod chunks;
 mod columns;
+mod engine;
 mod functions;
 mod guide;
 mod integrands;
@@ -11,6 +13,9 @@ mod scramble;
 mod sequence;
 mod shard;
 
+pub use chunks::Chunks;
+pub use engine::Engine;
+pub(crate) use engine::{check_points, whole_points};
 pub use functions::{FUNCTIONS, Function, Kind};
 pub use guide::Guide;
 pub use integrands::{
@@ -18,7 +23,7 @@ pub use integrands::{
     integrands,
 };
 pub use maps::{Group, Map, Mapping, Parameter, Words, maps};
-pub use request::{Engine, Options, Output, Request, check_map};
+pub use request::{Options, Output, Request, check_map};
 pub use sampler::Sampler;
 pub use scramble::{Order, SCRAMBLES, Scramble};
 pub use sequence::{SEQUENCES, Sequence};

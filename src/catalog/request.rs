@@ -146,24 +146,6 @@ pub struct Request {
     pub profile: Profile,
 }
 
-/// Something that makes the points of a request.
-pub trait Engine {
-    /// Hands the words of `count` points from the request's point `start` on to `take`,
-    /// row after row, in one or several pieces. `start` counts from the request's first.
-    ///
-    /// # Errors
-    /// Those of the device, and those of `take`.
-    fn make(
-        &mut self,
-        start: u64,
-        count: u64,
-        take: &mut dyn FnMut(&[u32]) -> Result<()>,
-    ) -> Result<()>;
-
-    /// A good number of points for the next call: small enough for short waits.
-    fn chunk(&self) -> u64;
-}
-
 impl Request {
     /// Checks options.
     ///

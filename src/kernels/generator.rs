@@ -1,5 +1,7 @@
 //! Points, or samples of a map over them, chunk by chunk.
 
+mod record;
+
 use super::Mapper;
 use super::points::{BUFFER_BYTES, Points, add, choose, fractions, module};
 use crate::Result;
@@ -16,9 +18,12 @@ const FIRST_WORDS: u64 = 1 << 16;
 /// take a driver for hung.
 const TARGET_NS: f64 = 1e8;
 
-/// Makes the points of a request on a device.
+/// Makes the points of a request on a device: into memory of the host by
+/// [`fill`](Engine::fill), [`make`](Engine::make) or
+/// [`Chunks`](crate::catalog::Chunks), and into buffers by [`Self::submit`] and [`Self::record`].
 pub struct Generator {
     width: u64,
+    count: u64,
     points: Points,
     mapped: Option<Mapped>,
     limit: u64,
@@ -29,6 +34,10 @@ pub struct Generator {
 struct Mapped {
     mapper: Mapper,
     results: Buffer,
+    /// Words of its input.
+    taken: u64,
+    /// Of recorded work: samples of which a copy takes what is asked.
+    tail: Option<Buffer>,
 }
 
 impl Generator {
@@ -70,7 +79,13 @@ impl Generator {
         let most = BUFFER_BYTES / (4 * width);
         let points = Points::new(device, &inner, plan, &words, Access::DeviceOnly, most)?;
         let results = Buffer::new(device, points.limit() * 4 * width, Access::Readback)?;
-        Ok(Self::start(points, width, Some(Mapped { mapper, results })))
+        let mapped = Mapped {
+            mapper,
+            results,
+            taken: u64::from(inner.words_per_point()),
+            tail: None,
+        };
+        Ok(Self::start(points, request, Some(mapped)))
     }
 
     /// A request that one kernel serves, with other SPIR-V of the same interface: how tests
@@ -92,18 +107,16 @@ impl Generator {
             Access::Readback,
             u64::MAX >> 8,
         )?;
-        Ok(Self::start(
-            points,
-            u64::from(request.words_per_point()),
-            None,
-        ))
+        Ok(Self::start(points, request, None))
     }
 
-    fn start(points: Points, width: u64, mapped: Option<Mapped>) -> Self {
+    fn start(points: Points, request: &Request, mapped: Option<Mapped>) -> Self {
+        let width = u64::from(request.words_per_point());
         let limit = points.limit();
         let first = (FIRST_WORDS / width).next_multiple_of(points.tile());
         Self {
             width,
+            count: request.count,
             points,
             mapped,
             limit,
@@ -177,6 +190,14 @@ impl Generator {
 }
 
 impl Engine for Generator {
+    fn count(&self) -> u64 {
+        self.count
+    }
+
+    fn words_per_point(&self) -> u32 {
+        self.width as u32
+    }
+
     fn make(
         &mut self,
         start: u64,

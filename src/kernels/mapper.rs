@@ -6,12 +6,12 @@ use super::{constant, groups, kernel, pipeline, spirv};
 use crate::Result;
 use crate::catalog::{Mapping, Profile};
 use crate::interface::{Kernel, MapPush, TABLE_WORDS, task};
-use crate::vulkan::{Access, Buffer, Device, Pipeline, Timing};
+use crate::vulkan::{Access, Buffer, BufferSlice, Device, Pipeline, Recording, Timing};
 use std::sync::Arc;
 
 /// Does one task of a map.
 pub struct Mapper {
-    pipeline: Pipeline,
+    pipeline: Arc<Pipeline>,
     kernel: &'static Kernel,
     parameters: [u32; 16],
     tables: Vec<Buffer>,
@@ -61,7 +61,7 @@ impl Mapper {
         .flatten()
         .collect();
         Ok(Self {
-            pipeline: pipeline(device, kernel, words, &constants)?,
+            pipeline: Arc::new(pipeline(device, kernel, words, &constants)?),
             kernel,
             parameters: mapping.words(),
             tables: tables(device, kernel, mapping)?,
@@ -102,6 +102,25 @@ impl Mapper {
             &push.bytes(),
             groups(self.kernel, invocations),
         )
+    }
+
+    /// Records the same for the inputs of so many invocations, four each, of a slice into
+    /// another, which holds the results of as many.
+    pub(super) fn record(
+        &self,
+        recording: &mut Recording,
+        input: &BufferSlice,
+        results: &BufferSlice,
+        invocations: u32,
+    ) -> Result<()> {
+        if invocations == 0 {
+            return Ok(());
+        }
+        let mut slices = vec![(0, results.clone()), (1, input.clone())];
+        slices.extend((2..).zip(self.tables.iter().map(Buffer::whole)));
+        let push = MapPush::new(invocations, &self.parameters);
+        let groups = groups(self.kernel, invocations);
+        recording.dispatch(&self.pipeline, &slices, &push.bytes(), groups)
     }
 
     /// The loops of so many invocations by the tasks `REPEAT` and `BARE`, each with 16 bytes

@@ -5,7 +5,7 @@ use crate::Result;
 use crate::catalog::{Output, Profile, Request};
 use crate::interface::WorkPush;
 use crate::variant::{FusedMap, Plan, Work, general, plan};
-use crate::vulkan::{Access, Buffer, Device, DeviceKind, Pipeline, Timing};
+use crate::vulkan::{Access, Buffer, BufferSlice, Device, DeviceKind, Pipeline, Recording, Timing};
 use std::sync::Arc;
 
 /// Bytes of a result buffer at most: well below the 128 MiB that the smallest drivers
@@ -16,8 +16,10 @@ pub(super) const BUFFER_BYTES: u64 = 64 << 20;
 pub(super) struct Points {
     request: Request,
     plan: Plan,
-    pipelines: Vec<Pipeline>,
+    pipelines: Vec<Arc<Pipeline>>,
     results: Buffer,
+    /// Of recorded work: whole invocations, of which a copy takes what is asked.
+    tail: Option<Buffer>,
     table: Option<Buffer>,
     device: Arc<Device>,
     limit: u64,
@@ -37,7 +39,7 @@ impl Points {
         let pipelines = plan
             .specializations
             .iter()
-            .map(|values| pipeline(device, plan.kernel, words, values))
+            .map(|values| pipeline(device, plan.kernel, words, values).map(Arc::new))
             .collect::<Result<Vec<_>>>()?;
         let point_bytes = 4 * u64::from(request.words_per_point());
         // Whole invocations: a tile each, or four words. Those of shorter tiles may end past
@@ -58,6 +60,7 @@ impl Points {
             plan,
             pipelines,
             results,
+            tail: None,
             table,
             device: Arc::clone(device),
             limit: bytes / point_bytes,
@@ -79,6 +82,11 @@ impl Points {
         u64::from(self.plan.tile.max(4))
     }
 
+    /// The device.
+    pub(super) fn device(&self) -> &Arc<Device> {
+        &self.device
+    }
+
     /// The buffer.
     pub(super) fn results(&mut self) -> &mut Buffer {
         &mut self.results
@@ -86,7 +94,6 @@ impl Points {
 
     /// Makes up to [`Self::limit`] points, `start` counted from the request's first.
     pub(super) fn dispatch(&self, start: u64, points: u64) -> Result<Timing> {
-        let words = points * u64::from(self.request.words_per_point());
         let mut buffers = vec![(0, &self.results)];
         if let Some(table) = &self.table {
             buffers.push((1, table));
@@ -95,23 +102,130 @@ impl Points {
             device_ns: Some(0.0),
             host_ns: 0.0,
         };
-        let tiles = self.plan.tiles.iter().map(|tile| Some(u64::from(*tile)));
-        for (pipeline, tile) in self.pipelines.iter().zip(tiles.chain([None])) {
-            // They fit: first + count <= 2^32.
-            let invocations = tile.map_or(words.div_ceil(4), |tile| points.div_ceil(tile)) as u32;
-            let push = WorkPush {
-                first: (self.request.first + start) as u32,
-                invocations,
-                stride: 1,
-            };
-            let groups = groups(self.plan.kernel, invocations);
+        for (pipeline, unit) in self.parts() {
+            let (push, groups) = self.call(start, self.invocations(points, unit));
             add(
                 &mut total,
-                self.device.run(pipeline, &buffers, &push.bytes(), groups)?,
+                self.device.run(pipeline, &buffers, &push, groups)?,
             );
         }
         Ok(total)
     }
+
+    /// Records the same, into the buffer.
+    pub(super) fn record(
+        &self,
+        recording: &mut Recording,
+        start: u64,
+        points: u64,
+    ) -> Result<BufferSlice> {
+        let results = self.results.whole();
+        for (pipeline, unit) in self.parts() {
+            let call = self.call(start, self.invocations(points, unit));
+            self.record_call(recording, pipeline, &results, call)?;
+        }
+        Ok(results)
+    }
+
+    /// Records the same, into all of a slice and nothing besides: whole invocations there, and
+    /// the points that these leave over by way of a copy.
+    pub(super) fn record_into(
+        &mut self,
+        recording: &mut Recording,
+        start: u64,
+        points: u64,
+        target: &BufferSlice,
+    ) -> Result<()> {
+        let mut whole = points;
+        for (pipeline, unit) in self.parts() {
+            let invocations = self.work(points, unit) / unit.unwrap_or(4);
+            whole = whole.min(match unit {
+                Some(tile) => invocations * tile,
+                None => 4 * invocations / self.width(),
+            });
+            let call = self.call(start, invocations as u32);
+            self.record_call(recording, pipeline, target, call)?;
+        }
+        let left = points - whole;
+        if left == 0 {
+            return Ok(());
+        }
+        let row = 4 * self.width();
+        // Fewer than a tile are left, and invocations end within the next.
+        let bytes = 2 * self.tile() * row;
+        let tail = tail(&mut self.tail, &self.device, bytes)?;
+        for (pipeline, unit) in self.parts() {
+            let call = self.call(start + whole, self.invocations(left, unit));
+            self.record_call(recording, pipeline, &tail, call)?;
+        }
+        recording.copy(
+            &tail.part(0, left * row),
+            &target.part(whole * row, left * row),
+        )
+    }
+
+    fn record_call(
+        &self,
+        recording: &mut Recording,
+        pipeline: &Arc<Pipeline>,
+        results: &BufferSlice,
+        (push, groups): (Vec<u8>, u64),
+    ) -> Result<()> {
+        if groups == 0 {
+            return Ok(());
+        }
+        let mut slices = vec![(0, results.clone())];
+        slices.extend(self.table.iter().map(|table| (1, table.whole())));
+        recording.dispatch(pipeline, &slices, &push, groups)
+    }
+
+    /// The pipelines that points take, and the points of an invocation; none of the general
+    /// kernel, of which one makes four words.
+    fn parts(&self) -> impl Iterator<Item = (&Arc<Pipeline>, Option<u64>)> {
+        let tiles = self.plan.tiles.iter().map(|tile| Some(u64::from(*tile)));
+        self.pipelines.iter().zip(tiles.chain([None]))
+    }
+
+    /// Invocations that make so many points, the last of them perhaps more.
+    fn invocations(&self, points: u64, unit: Option<u64>) -> u32 {
+        // They fit: first + count <= 2^32.
+        self.work(points, unit).div_ceil(unit.unwrap_or(4)) as u32
+    }
+
+    /// What invocations divide: points, or their words.
+    fn work(&self, points: u64, unit: Option<u64>) -> u64 {
+        match unit {
+            Some(_) => points,
+            None => points * self.width(),
+        }
+    }
+
+    /// Push constants and groups.
+    fn call(&self, start: u64, invocations: u32) -> (Vec<u8>, u64) {
+        let push = WorkPush {
+            first: (self.request.first + start) as u32,
+            invocations,
+            stride: 1,
+        };
+        (push.bytes(), groups(self.plan.kernel, invocations))
+    }
+
+    fn width(&self) -> u64 {
+        self.request.words_per_point().into()
+    }
+}
+
+/// The buffer for what whole invocations leave over, made at first use.
+pub(super) fn tail(
+    kept: &mut Option<Buffer>,
+    device: &Arc<Device>,
+    bytes: u64,
+) -> Result<BufferSlice> {
+    let tail = match kept {
+        Some(tail) => tail,
+        none => none.insert(Buffer::new(device, bytes, Access::DeviceOnly)?),
+    };
+    Ok(tail.whole())
 }
 
 /// Adds the time of a further dispatch.

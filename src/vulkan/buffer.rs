@@ -31,7 +31,7 @@ pub enum Access {
 /// and as large as the largest read.
 pub struct Buffer {
     device: Arc<Device>,
-    main: Block,
+    main: Arc<Block>,
     staging: Option<Block>,
     bytes: u64,
 }
@@ -69,7 +69,7 @@ impl Buffer {
         let main = Block::new(device, bytes.next_multiple_of(4), purpose)?;
         Ok(Self {
             device: Arc::clone(device),
-            main,
+            main: Arc::new(main),
             staging: None,
             bytes,
         })
@@ -102,17 +102,16 @@ impl Buffer {
     /// Writes `data` at byte `offset`.
     ///
     /// # Errors
-    /// [`Error::Arguments`](crate::Error::Arguments) past the end of the buffer;
-    /// [`Error::Vulkan`](crate::Error::Vulkan) or
+    /// [`Error::Arguments`](crate::Error::Arguments) past the end of the buffer, or while a
+    /// [slice](super::BufferSlice) of it is in use; [`Error::Vulkan`](crate::Error::Vulkan) or
     /// [`Error::Timeout`](crate::Error::Timeout) when a copy fails.
     pub fn write(&mut self, offset: u64, data: &[u8]) -> Result<()> {
         let length = data.len() as u64;
         self.check_range("write", offset, length)?;
         self.device.settle()?;
-        if self.main.is_mapped() {
-            return self
-                .main
-                .fill(offset, length, |bytes| bytes.copy_from_slice(data));
+        let main = self.exclusive("write")?;
+        if main.is_mapped() {
+            return main.fill(offset, length, |bytes| bytes.copy_from_slice(data));
         }
         let mut at = offset;
         for chunk in data.chunks(WRITE_CHUNK as usize) {
@@ -143,11 +142,12 @@ impl Buffer {
     pub fn read<R>(&mut self, offset: u64, length: u64, f: impl FnOnce(&[u8]) -> R) -> Result<R> {
         self.check_range("read", offset, length)?;
         self.device.settle()?;
+        let main = self.exclusive("read")?;
         if length == 0 {
             return Ok(f(&[]));
         }
-        if self.main.is_mapped() {
-            return Ok(f(self.main.mapped(offset, length)?));
+        if main.is_mapped() {
+            return Ok(f(main.mapped(offset, length)?));
         }
         let from = self.main.raw;
         let to = self.stage(length)?.raw;
@@ -163,12 +163,13 @@ impl Buffer {
     /// Fills the buffer with zeros.
     ///
     /// # Errors
-    /// [`Error::Vulkan`](crate::Error::Vulkan) or
-    /// [`Error::Timeout`](crate::Error::Timeout).
+    /// As for [`Buffer::write`].
     pub fn fill_zero(&mut self) -> Result<()> {
         self.device.settle()?;
-        if self.main.is_mapped() {
-            return self.main.fill(0, self.bytes, |bytes| bytes.fill(0));
+        let length = self.bytes;
+        let main = self.exclusive("fill")?;
+        if main.is_mapped() {
+            return main.fill(0, length, |bytes| bytes.fill(0));
         }
         let (device, raw) = (&self.device, self.main.raw);
         let filled = device.submit(0, |_, commands| {
@@ -199,7 +200,20 @@ impl Buffer {
         }
     }
 
-    fn check_range(&self, verb: &str, offset: u64, length: u64) -> Result<()> {
+    /// The memory, which work in flight may still use.
+    pub(super) fn memory(&self) -> Arc<Block> {
+        Arc::clone(&self.main)
+    }
+
+    /// The memory, if nobody else uses it.
+    fn exclusive(&mut self, verb: &str) -> Result<&mut Block> {
+        let asked = || format!("to {verb} a buffer of {} bytes", self.bytes);
+        let limit = "work that was recorded or submitted still has a slice of it";
+        let remedy = "wait for the submission first, and drop its slices";
+        Arc::get_mut(&mut self.main).ok_or_else(|| refused(asked(), limit, remedy))
+    }
+
+    pub(super) fn check_range(&self, verb: &str, offset: u64, length: u64) -> Result<()> {
         if offset
             .checked_add(length)
             .is_some_and(|end| end <= self.bytes)

@@ -81,7 +81,7 @@ impl DescriptorSet {
         self.raw
     }
 
-    fn build(
+    pub(super) fn build(
         device: &Arc<Device>,
         pipeline: &Pipeline,
         buffers: &[(u32, vk::Buffer, u64, u64)],

@@ -12,6 +12,7 @@ use super::info::DeviceInfo;
 use super::instance::Instance;
 use super::kept::Kept;
 use super::orphan::Orphan;
+use super::submission::Stranded;
 use super::submit::Lane;
 use super::{WAIT_SECONDS, failed, query, refused};
 use crate::error::{Error, Result};
@@ -29,12 +30,16 @@ pub struct Device {
     pub(super) memory: vk::PhysicalDeviceMemoryProperties,
     pub(super) non_coherent_atom: u64,
     pub(super) lane: Mutex<Lane>,
+    /// Held while something is handed to the queue, and no longer.
+    pub(super) handing_over: Mutex<()>,
     /// Compiled pipelines, if they are kept.
     pub(super) kept: Mutex<Option<Kept>>,
     /// A wait has ended before its work, which may still be running.
     pub(super) hung: AtomicBool,
     /// Objects that were dropped meanwhile.
     pub(super) orphans: Mutex<Vec<Orphan>>,
+    /// Submissions that were dropped although their work had not ended.
+    pub(super) stranded: Mutex<Vec<Stranded>>,
     /// The call that said that the device was lost.
     lost: OnceLock<&'static str>,
     /// Nanoseconds.
@@ -170,9 +175,11 @@ impl Device {
             memory,
             non_coherent_atom: properties.limits.non_coherent_atom_size.max(1),
             lane: Mutex::default(),
+            handing_over: Mutex::default(),
             kept: Mutex::default(),
             hung: AtomicBool::new(false),
             orphans: Mutex::default(),
+            stranded: Mutex::default(),
             lost: OnceLock::new(),
             wait_limit: AtomicU64::new(nanoseconds(Duration::from_secs(WAIT_SECONDS))),
             owned,

@@ -146,9 +146,10 @@ impl Block {
             return &mut [];
         };
         // SAFETY: the range lies within the mapping (and thus fits `usize`), which
-        // lives as long as `self`; `&mut self` makes the access exclusive, as the
-        // device is idle whenever a safe method returns. The bytes come from
-        // outside Rust, so each has some value.
+        // lives as long as `self`; `&mut self` makes the access exclusive: what is
+        // in flight holds a slice of the block, and all else has ended whenever a
+        // safe method returns. The bytes come from outside Rust, so each has some
+        // value.
         unsafe {
             std::slice::from_raw_parts_mut(map.as_ptr().add(offset as usize), length as usize)
         }

@@ -25,8 +25,10 @@
 //! buffers that they are given.
 //!
 //! **Order.** Everything that this module submits ends with a barrier towards
-//! compute, transfer and host, and is waited for. So successive runs, reads
-//! and writes are ordered without further words.
+//! compute, transfer and host, and is waited for, but for a [`Submission`]. So
+//! successive runs, reads and writes are ordered without further words. A
+//! [`Recording`] ends with the same barrier; the host may read what a submission
+//! writes once that was waited for, which [`Buffer`] sees to.
 //!
 //! # When a device fails
 //!
@@ -52,7 +54,7 @@
 //!
 //! Any object may be dropped after any of these. What is dropped while work may still run is
 //! destroyed once it has ended; a device that is dropped before is left to the end of the
-//! process, and so is its instance.
+//! process, and so is its instance. A [`Submission`] that is dropped waits first.
 
 mod baseline;
 mod buffer;
@@ -69,7 +71,10 @@ mod probe;
 mod probe_rows;
 mod probe_samples;
 mod query;
+mod recording;
 mod select;
+mod slice;
+mod submission;
 mod submit;
 
 pub use ash;
@@ -81,7 +86,10 @@ pub use info::{DeviceInfo, DeviceKind, Features, FloatControls, Limits};
 pub use instance::{Instance, InstanceOptions};
 pub use pipeline::{Pipeline, PipelineDescription};
 pub use probe::{Denormals, Probe, ProbeGroup, ProbeSample, Rounding, probe};
+pub use recording::Recording;
 pub use select::select;
+pub use slice::BufferSlice;
+pub use submission::Submission;
 
 use crate::error::Error;
 

@@ -117,31 +117,59 @@ impl Lane {
 
     /// Waits for the fence within bounds.
     fn wait(&mut self, device: &Device) -> Result<()> {
-        let limit = device.wait_limit();
-        let bound = u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX);
-        // SAFETY: the fence is of this device.
-        let waited = unsafe { device.raw().wait_for_fences(&[self.fence], true, bound) };
-        // A lost device has ended everything. Any other failure says nothing of the work.
-        self.pending = !matches!(waited, Ok(()) | Err(vk::Result::ERROR_DEVICE_LOST));
+        let (ended, waited) = device.await_fence(self.fence);
+        self.pending = !ended;
         let hung = device.hung.swap(self.pending, Ordering::AcqRel);
         if hung && !self.pending {
             device.destroy_orphans();
         }
-        waited.map_err(|code| match code {
-            vk::Result::TIMEOUT => Error::Timeout {
-                call: "vkWaitForFences",
-                seconds: limit.as_secs_f64(),
-            },
-            code => device.heard("vkWaitForFences", code),
-        })
+        waited
     }
 }
 
 impl Device {
+    /// Waits for a fence of this device within bounds. Says whether its work has ended, too.
+    pub(super) fn await_fence(&self, fence: vk::Fence) -> (bool, Result<()>) {
+        let limit = self.wait_limit();
+        let bound = u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX);
+        // SAFETY: the fence is of this device.
+        let waited = unsafe { self.raw().wait_for_fences(&[fence], true, bound) };
+        // A lost device has ended everything. Any other failure says nothing of the work.
+        let ended = matches!(waited, Ok(()) | Err(vk::Result::ERROR_DEVICE_LOST));
+        let waited = waited.map_err(|code| match code {
+            vk::Result::TIMEOUT => Error::Timeout {
+                call: "vkWaitForFences",
+                seconds: limit.as_secs_f64(),
+            },
+            code => self.heard("vkWaitForFences", code),
+        });
+        (ended, waited)
+    }
+
+    /// Hands commands to the queue, with a fence that is not signalled.
+    ///
+    /// # Safety
+    /// The commands are of this device and complete. They and all that they use live until the
+    /// fence signals.
+    pub(super) unsafe fn hand_over(
+        &self,
+        commands: vk::CommandBuffer,
+        fence: vk::Fence,
+    ) -> Result<()> {
+        let buffers = [commands];
+        let submission = [vk::SubmitInfo::default().command_buffers(&buffers)];
+        let one = self.handing_over.lock();
+        let _one = one.unwrap_or_else(PoisonError::into_inner);
+        // SAFETY: the caller vouches for the handles; the lock keeps others from the queue.
+        unsafe { self.raw().queue_submit(self.queue(), &submission, fence) }
+            .map_err(|code| self.heard("vkQueueSubmit", code))
+    }
+
     /// Waits again for work that an earlier wait gave up on. An error too where the device
     /// was lost, since then no memory holds what it should.
     pub(super) fn settle(&self) -> Result<()> {
         self.check_alive()?;
+        self.free_stranded();
         if !self.is_hung() {
             return Ok(());
         }
@@ -163,6 +191,7 @@ impl Device {
     ) -> Result<Vec<Option<f64>>> {
         let mut lane = self.lane.lock().unwrap_or_else(PoisonError::into_inner);
         self.check_alive()?;
+        self.free_stranded();
         if lane.pending {
             lane.wait(self)?;
         }
@@ -187,14 +216,11 @@ impl Device {
             dispatch::barrier(self, commands);
             raw.end_command_buffer(commands)
                 .map_err(failed("vkEndCommandBuffer"))?;
-            let buffers = [commands];
-            let submission = [vk::SubmitInfo::default().command_buffers(&buffers)];
             // Here, and not after the wait: with a fence that is still signalled from an
             // earlier submission the wait would end before the work does.
             raw.reset_fences(&[lane.fence])
                 .map_err(failed("vkResetFences"))?;
-            raw.queue_submit(self.queue(), &submission, lane.fence)
-                .map_err(|code| self.heard("vkQueueSubmit", code))?;
+            self.hand_over(commands, lane.fence)?;
         }
         lane.pending = true;
         lane.wait(self)?;

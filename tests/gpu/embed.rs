@@ -4,10 +4,16 @@
 #[allow(dead_code, reason = "its main is the example's own")]
 #[path = "../../examples/ash_engine.rs"]
 mod ash_engine;
+#[allow(dead_code, reason = "its main is the example's own")]
+#[path = "../../examples/chunks.rs"]
+mod chunks;
 #[path = "embed/cpp.rs"]
 mod cpp;
 #[path = "embed/include_only.rs"]
 mod include_only;
+#[allow(dead_code, reason = "its main is the example's own")]
+#[path = "../../examples/own_buffer.rs"]
+mod own_buffer;
 #[path = "embed/programs.rs"]
 mod programs;
 mod support;
@@ -186,6 +192,20 @@ fn a_wgpu_engine_notices_what_is_broken() {
             return;
         }
         ended(&run, code, part);
+    }
+}
+
+/// Points in bulk: their words are compared by the examples themselves, on every device.
+#[test]
+fn the_examples_of_bulk_points_agree_with_the_cpu() {
+    if skips() {
+        return;
+    }
+    let devices = support::instance(&support::turn()).devices().unwrap().len();
+    for name in ["chunks", "own_buffer"] {
+        let run = example(name, &[], Drivers::All);
+        ended(&run, 0, "equal: true");
+        assert_eq!(run.said.matches("equal: true").count(), devices);
     }
 }
 

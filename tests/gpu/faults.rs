@@ -26,6 +26,8 @@ mod modules;
 mod opening;
 #[path = "faults/plan.rs"]
 mod plan;
+#[path = "faults/submission.rs"]
+mod submission;
 #[path = "faults/timeout.rs"]
 mod timeout;
 #[path = "faults/work.rs"]

@@ -1,7 +1,7 @@
 //! Examples as programs of their own: drivers end with the process, and exit codes count.
 
 use crate::support::validates;
-use crate::{ash_engine, wgpu_engine};
+use crate::{ash_engine, chunks, own_buffer, wgpu_engine};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -104,6 +104,8 @@ fn child() {
     let (name, arguments) = words.split_first().expect("a name");
     let equal = match name.as_str() {
         "ash_engine" => ash_engine::run(arguments),
+        "chunks" => chunks::run(arguments),
+        "own_buffer" => own_buffer::run(arguments),
         "wgpu_engine" => wgpu_engine::run(arguments),
         other => panic!("no example {other}"),
     };

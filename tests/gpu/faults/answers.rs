@@ -94,6 +94,9 @@ pub fn find(name: &CStr) -> vk::PFN_vkVoidFunction {
             b"vkGetPhysicalDeviceMemoryProperties" => {
                 transmute::<vk::PFN_vkGetPhysicalDeviceMemoryProperties, Function>(memory)
             }
+            b"vkUpdateDescriptorSets" => {
+                transmute::<vk::PFN_vkUpdateDescriptorSets, Function>(update_descriptor_sets)
+            }
             b"vkDestroyDevice" => transmute::<vk::PFN_vkDestroyDevice, Function>(destroy_device),
             b"vkDestroyInstance" => {
                 transmute::<vk::PFN_vkDestroyInstance, Function>(destroy_instance)
@@ -288,6 +291,38 @@ unsafe extern "system" fn memory(
             _ => false,
         });
     }
+}
+
+unsafe extern "system" fn update_descriptor_sets(
+    device: vk::Device,
+    count: u32,
+    writes: *const vk::WriteDescriptorSet<'_>,
+    copies_count: u32,
+    copies: *const vk::CopyDescriptorSet<'_>,
+) {
+    let unbounded = |lie: &Lie| matches!(lie, Lie::Unbounded);
+    let unbounded = with(|plan| plan.lies.iter().any(unbounded));
+    for at in 0..count as usize {
+        // SAFETY: the caller's, and valid; this host gives each write one buffer.
+        let written = unsafe { &*writes.add(at) };
+        // SAFETY: as above.
+        let mut info = unsafe { *written.p_buffer_info };
+        if unbounded {
+            info.range = vk::WHOLE_SIZE;
+            with(|plan| plan.lied());
+        }
+        let one = vk::WriteDescriptorSet {
+            p_buffer_info: &info,
+            ..*written
+        };
+        // SAFETY: the caller vouches for the rest.
+        unsafe {
+            real::<vk::PFN_vkUpdateDescriptorSets>("vkUpdateDescriptorSets")(
+                device, 1, &one, 0, copies,
+            );
+        }
+    }
+    assert_eq!(copies_count, 0, "this host copies no descriptors");
 }
 
 unsafe extern "system" fn destroy_device(device: vk::Device, allocator: Allocator<'_>) {

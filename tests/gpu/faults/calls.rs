@@ -97,6 +97,7 @@ may_fail! {
     vkQueueSubmit: PFN_vkQueueSubmit =
         queue: vk::Queue, count: u32, info: *const vk::SubmitInfo<'_>, fence: vk::Fence;
     vkResetFences: PFN_vkResetFences = device: vk::Device, count: u32, fences: *const vk::Fence;
+    vkGetFenceStatus: PFN_vkGetFenceStatus = device: vk::Device, fence: vk::Fence;
     vkGetQueryPoolResults: PFN_vkGetQueryPoolResults =
         device: vk::Device, pool: vk::QueryPool, first: u32, count: u32, bytes: usize,
         out: *mut c_void, stride: vk::DeviceSize, flags: vk::QueryResultFlags;

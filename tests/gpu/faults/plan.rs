@@ -67,6 +67,9 @@ pub enum Lie {
     Version(u32),
     /// Mappings at null.
     NullMap,
+    /// Bindings that reach to the ends of their buffers: drivers may check the bounds of what
+    /// is bound, and need not.
+    Unbounded,
     /// Modules that the driver refuses.
     Module(fn(&[u32]) -> bool),
 }

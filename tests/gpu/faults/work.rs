@@ -29,18 +29,21 @@ fn integral() -> (Problem, Request) {
     (problem, Request::new(&options).expect("a request"))
 }
 
-fn points() -> Request {
+/// What there is to know of the points.
+pub fn points() -> Request {
     Request::new(&Options::new(Sequence::Halton, POINTS)).expect("a request")
 }
 
-fn samples() -> Request {
+/// The same of the samples.
+pub fn samples() -> Request {
     let mut options = Options::new(Sequence::Halton, SAMPLES);
     let map = Map::from_name("cone").expect("a map");
     options.map = Some(Mapping::new(map, &[("theta_max", &[0.5])]).expect("a mapping"));
     Request::new(&options).expect("a request")
 }
 
-fn reference(request: &Request) -> Vec<u32> {
+/// All words of a request.
+pub fn reference(request: &Request) -> Vec<u32> {
     let mut words = vec![0; (request.count * u64::from(request.words_per_point())) as usize];
     Reference::new(request).fill(0, &mut words);
     words
