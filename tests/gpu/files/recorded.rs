@@ -10,7 +10,7 @@ fn round_trip(desk: &Desk, points: &str) {
     assert_eq!(run.code, Some(0), "`{points}`: {}", run.stderr);
     let run = desk.run("verify p.npy --device cpu");
     assert_eq!(run.code, Some(0), "`{points}`: {}", run.stderr);
-    assert!(run.stdout.contains("rows are equal"), "{}", run.stdout);
+    assert!(run.text().contains("rows are equal"), "{}", run.text());
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn of_every_option() {
 #[test]
 fn of_every_map() {
     let desk = Desk::new();
-    let sky = super::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/sunrise.exr");
+    let sky = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/sunrise.exr");
     std::fs::copy(&sky, desk.path("sky.exr")).unwrap();
     let mut parameters = 0;
     for map in maps() {
