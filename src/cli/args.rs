@@ -45,7 +45,7 @@ pub enum Command {
     Generate(Box<GenerateArgs>),
     /// Check that a Zarr store is complete, or add estimates of several ranges exactly.
     Merge(MergeArgs),
-    /// Make a file of points again from its FILE.json, and compare.
+    /// Make a file of points again from its FILE.json, or the chunks of a store, and compare.
     Verify(VerifyArgs),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),

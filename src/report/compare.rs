@@ -3,6 +3,7 @@
 mod hashes;
 
 use super::chunked::Sidecar;
+use super::differing::{Differing, check_end, check_range};
 use super::encode::Encoder;
 use super::place::failed;
 use super::text;
@@ -31,9 +32,8 @@ pub struct Comparison {
     /// Bytes that the words to come begin with, and those of the file.
     wanted: Vec<u8>,
     found: Vec<u8>,
-    /// Rows that differ, the last of them, and what is to be said of the first.
-    rows: u64,
-    last: Option<u64>,
+    differing: Differing,
+    /// What is wrong before the first row.
     problem: Option<String>,
 }
 
@@ -45,16 +45,7 @@ impl Comparison {
     /// that of the sidecar, [`Error::Points`] where it cannot be opened.
     pub fn open(path: &Path, sidecar: &Sidecar, rows: Range<u64>) -> Result<Self> {
         let layout = sidecar.layout;
-        if rows.start >= rows.end || rows.end > layout.rows {
-            return Err(Error::Arguments {
-                asked: format!("rows {}..{} of {}", rows.start, rows.end, path.display()),
-                limit: format!(
-                    "it has the rows 0..{}, and a range has one at least",
-                    layout.rows
-                ),
-                remedy: "ask for A..B with A below B, which is not part of it".into(),
-            });
-        }
+        check_range(path, &layout, &rows)?;
         let unreadable = |source: io::Error| Error::Points {
             path: path.to_owned(),
             problem: source.to_string(),
@@ -95,8 +86,7 @@ impl Comparison {
             end: rows.end * columns,
             wanted: Vec::new(),
             found: Vec::new(),
-            rows: 0,
-            last: None,
+            differing: Differing::new(&layout),
             problem: None,
         };
         comparison
@@ -146,23 +136,7 @@ impl Comparison {
     fn binary(&mut self) -> io::Result<()> {
         let wanted = std::mem::take(&mut self.wanted);
         self.read(wanted.len())?;
-        if self.found != wanted {
-            let element = self.encoder.layout.element;
-            let columns = u64::from(self.encoder.layout.columns);
-            let size = element.bytes() as usize;
-            let found = std::mem::take(&mut self.found);
-            let pairs = found.chunks_exact(size).zip(wanted.chunks_exact(size));
-            for (index, (found, wanted)) in (self.at..).zip(pairs) {
-                if found != wanted {
-                    let (row, column) = (index / columns, index % columns);
-                    self.differs(row, || {
-                        let (is, must) = (element.show(found), element.show(wanted));
-                        format!("row {row}, column {column} is {is} and must be {must}")
-                    });
-                }
-            }
-            self.found = found;
-        }
+        self.differing.compare(self.at, &self.found, &wanted);
         self.hash();
         self.wanted = wanted;
         self.wanted.clear();
@@ -177,7 +151,8 @@ impl Comparison {
             self.line()?;
             if self.found != line {
                 let (is, must) = (text::show(&self.found), text::show(line));
-                self.differs(row, || format!("row {row} is {is} and must be {must}"));
+                self.differing
+                    .note(row, || format!("row {row} is {is} and must be {must}"));
             }
             self.hash();
             row += 1;
@@ -187,31 +162,19 @@ impl Comparison {
         Ok(())
     }
 
-    fn differs(&mut self, row: u64, say: impl FnOnce() -> String) {
-        self.problem.get_or_insert_with(say);
-        if self.last != Some(row) {
-            self.last = Some(row);
-            self.rows += 1;
-        }
-    }
-
     /// Compares what follows the last row, and the hashes.
     ///
     /// # Errors
     /// [`Error::Differs`] where anything was not equal, [`Error::Arguments`] where words are
     /// missing, [`Error::Io`] where the file cannot be read.
     pub fn finish(mut self) -> Result<()> {
-        if self.at != self.end {
-            return Err(Error::Arguments {
-                asked: format!("a comparison that ends at word {}", self.at),
-                limit: format!("the rows end at word {}", self.end),
-                remedy: "give exactly the words of the rows".into(),
-            });
-        }
-        let mut problem = self.problem.take().map(|first| match self.rows {
-            0 => first,
-            rows => format!("{first}; {rows} of {} rows differ", self.count),
+        check_end(self.at, self.end)?;
+        let differing = &self.differing;
+        let rows = differing.first().map(|first| {
+            let (rows, count) = (differing.rows(), self.count);
+            format!("{first}; {rows} of {count} rows differ")
         });
+        let mut problem = self.problem.take().or(rows);
         if let Some(mut hashes) = self.hashes.take() {
             let mut rest = Vec::new();
             let read = self.file.read_to_end(&mut rest);

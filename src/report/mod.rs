@@ -23,6 +23,7 @@
 
 mod chunked;
 mod compare;
+mod differing;
 mod element;
 mod encode;
 mod escape;

@@ -17,6 +17,8 @@ mod slurm;
 #[path = "store/spec.rs"]
 mod spec;
 mod support;
+#[path = "store/verify.rs"]
+mod verify;
 
 use desk::{Desk, Run, repository};
 use std::collections::BTreeMap;

@@ -7,9 +7,11 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct VerifyArgs {
-    /// A file that `corput generate` wrote; its FILE.json must be beside it.
+    /// A file that `corput generate` wrote, with its FILE.json beside it; or the folder of a Zarr
+    /// store.
     pub file: PathBuf,
-    /// Only these rows, counted from 0, the last not among them [default: all, and the hashes].
+    /// Only these rows, counted from 0, the last not among them; hashes are left out
+    /// [default: all, and the hashes].
     #[arg(long, value_name = "A..B", value_parser = range, allow_hyphen_values = true)]
     pub range: Option<Range<u64>>,
     /// Device by index or part of its name, or cpu for the reference: any makes the same bytes.

@@ -28,10 +28,12 @@
 //! ```
 
 mod aside;
+mod compare;
 mod fault;
 mod metadata;
 mod survey;
 
+pub use compare::Comparison;
 pub use fault::Fault;
 pub use survey::Survey;
 
@@ -142,6 +144,12 @@ impl Store {
     #[must_use]
     pub fn origin(&self) -> &Value {
         &self.origin
+    }
+
+    /// The folder.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Chunks of the array.

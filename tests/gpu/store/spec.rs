@@ -91,7 +91,7 @@ fn the_attributes_say_how_to_make_it_again() {
          --format zarr --out e",
         picture.display()
     );
-    desk.say(&line);
+    desk.ask(&line);
     let text = fs::read(desk.path("e/zarr.json")).expect("metadata");
     let meta: Value = serde_json::from_slice(&text).expect("JSON");
     let origin = &meta["attributes"]["corput"];
