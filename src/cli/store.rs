@@ -49,7 +49,7 @@ pub fn asked(args: &GenerateArgs) -> Result<bool> {
         ),
         _ if store && args.chunk_rows.is_some() => refused(
             "--chunk-rows for a Zarr store".to_owned(),
-            "its chunks follow from the number of columns, so that all machines have the same",
+            "its chunks follow from columns and type, so that all machines have the same",
             "drop --chunk-rows",
         ),
         Some(shard) if !store => refused(

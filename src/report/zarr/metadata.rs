@@ -16,29 +16,36 @@ const CHUNK_BYTES: u64 = 1 << 24;
 /// Bytes of a document at most: a store's own have a few thousand.
 const DOCUMENT_BYTES: u64 = 1 << 20;
 
-/// Rows of a chunk: the largest power of two within 16 MiB, at least one. Only the number of
-/// columns counts, so that arrays of other lengths share their first chunks.
-pub(super) fn chunk_rows(columns: u32) -> u64 {
-    let rows = CHUNK_BYTES / (4 * u64::from(columns.max(1)));
-    1 << rows.max(1).ilog2()
+/// Every type, by its name in Zarr.
+const TYPES: [(Element, &str); 4] = [
+    (Element::F32, "float32"),
+    (Element::U32, "uint32"),
+    (Element::U16, "uint16"),
+    (Element::F64, "float64"),
+];
+
+/// Rows of a chunk: the largest power of two within 16 MiB, at least one. Only columns and type
+/// count, so that arrays of other lengths share their first chunks.
+pub(super) fn chunk_rows(layout: &Layout) -> u64 {
+    let row = layout.element.bytes() * u64::from(layout.columns.max(1));
+    1 << (CHUNK_BYTES / row).max(1).ilog2()
 }
 
 /// The document of an array; `origin` says what makes it.
 pub(super) fn document(layout: &Layout, origin: &Value) -> Value {
-    let (data_type, fill) = match layout.element {
-        Element::U32 => ("uint32", json!(0)),
-        Element::U16 => ("uint16", json!(0)),
-        Element::F32 => ("float32", json!(0.0)),
-        Element::F64 => ("float64", json!(0.0)),
+    let data_type = TYPES.iter().find(|(element, _)| *element == layout.element);
+    let fill = match layout.element {
+        Element::U32 | Element::U16 => json!(0),
+        Element::F32 | Element::F64 => json!(0.0),
     };
     json!({
         "zarr_format": 3,
         "node_type": "array",
         "shape": [layout.rows, layout.columns],
-        "data_type": data_type,
+        "data_type": data_type.map(|(_, name)| name),
         "chunk_grid": {
             "name": "regular",
-            "configuration": { "chunk_shape": [chunk_rows(layout.columns), layout.columns] },
+            "configuration": { "chunk_shape": [chunk_rows(layout), layout.columns] },
         },
         "chunk_key_encoding": { "name": "default", "configuration": { "separator": "/" } },
         "fill_value": fill,
@@ -54,10 +61,11 @@ pub(super) fn parse(document: &Value) -> Result<(Layout, Value), String> {
     let (Some(rows), Some(columns)) = (number(0), columns) else {
         return Err("its shape is not that of rows and columns".to_owned());
     };
-    let element = match document["data_type"].as_str() {
-        Some("uint32") => Element::U32,
-        Some("float32") => Element::F32,
-        _ => return Err("its data_type is neither uint32 nor float32".to_owned()),
+    let element = TYPES
+        .iter()
+        .find(|(_, name)| document["data_type"] == *name);
+    let Some(&(element, _)) = element else {
+        return Err("its data_type is none of float32, uint32, uint16 and float64".to_owned());
     };
     let layout = Layout {
         rows,

@@ -102,8 +102,8 @@ fn what_no_store_can_be() {
             ["it is a folder", "--out store.zarr"],
         ),
         (
-            "sobol --count 8 --out s.zarr --type u16",
-            ["a Zarr store of u16", "its elements are f32 or u32"],
+            "sobol --count 8 --out s.zarr --type u8",
+            ["unknown type `u8`", "f32, u32, u16, f64"],
         ),
         (
             "sobol --count 8 --out s.zarr --chunk-rows 4",
