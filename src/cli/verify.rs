@@ -2,13 +2,13 @@
 
 use super::args::{GenerateArgs, VerifyArgs};
 use super::generate::Maker;
-use super::{arguments, generate, points, print, progress};
+use super::{arguments, generate, mask, points, print, progress};
 use corput::catalog::{Engine, Profile};
-use corput::report::{Comparison, Layout, Sidecar, zarr};
+use corput::report::{Comparison, Layout, Origin, Sidecar, Whole, zarr};
 use corput::{Error, Result};
 use serde_json::Value;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub fn run(args: &VerifyArgs) -> anyhow::Result<()> {
     match args.file.is_dir() {
@@ -23,6 +23,10 @@ fn file(args: &VerifyArgs) -> anyhow::Result<()> {
         true => args.file.canonicalize().unwrap_or(args.file.clone()),
         false => args.file.clone(),
     };
+    let origin = Origin::of(&file)?;
+    if origin.arguments["sequence"] == mask::NAME {
+        return whole(args, &file, &origin);
+    }
     let sidecar = Sidecar::of(&file)?;
     let recorded = Recorded {
         document: Sidecar::path_of(&file),
@@ -40,6 +44,40 @@ fn file(args: &VerifyArgs) -> anyhow::Result<()> {
     maker.validated()?;
     say(args, &rows, sidecar.layout, &sidecar.sha256);
     Ok(())
+}
+
+/// A file that is made at once, of which no rows can be made alone.
+fn whole(args: &VerifyArgs, file: &Path, origin: &Origin) -> anyhow::Result<()> {
+    let shown = args.file.display();
+    if args.range.is_some() {
+        return Err(Error::Arguments {
+            asked: format!("--range of {shown}"),
+            limit: "a mask is made whole".into(),
+            remedy: "drop --range".into(),
+        }
+        .into());
+    }
+    let recorded = Whole::of(file)?;
+    warn_of_version(args, &recorded.version);
+    let mut made = arguments::parse(&origin.arguments)?;
+    made.device.clone_from(&args.device);
+    let (bytes, form) = mask::again(&made, &recorded.format)?;
+    recorded.compare(file, &bytes, &form)?;
+    print(&format!(
+        "{shown}: all {} bytes are equal; SHA-256 {}",
+        recorded.bytes, recorded.sha256
+    ));
+    Ok(())
+}
+
+fn warn_of_version(args: &VerifyArgs, version: &str) {
+    let own = env!("CARGO_PKG_VERSION");
+    if version != own {
+        let shown = args.file.display();
+        eprintln!(
+            "corput: warning: {shown} was made by version {version}, and this is {own}: points may differ"
+        );
+    }
 }
 
 fn store(args: &VerifyArgs) -> anyhow::Result<()> {
@@ -80,13 +118,7 @@ impl Recorded<'_> {
     /// What makes the points again, and the rows to make. Warns where they may be others.
     fn again(&self, args: &VerifyArgs) -> Result<(Maker, Range<u64>)> {
         let shown = args.file.display();
-        if self.version != env!("CARGO_PKG_VERSION") {
-            eprintln!(
-                "corput: warning: {shown} was made by version {}, and this is {}: points may differ",
-                self.version,
-                env!("CARGO_PKG_VERSION")
-            );
-        }
+        warn_of_version(args, self.version);
         let made = arguments::parse(self.arguments)?;
         let (maker, layout) = maker(&made, args.device.as_deref())?;
         if layout != self.layout {

@@ -35,6 +35,7 @@ mod sink;
 mod source;
 mod stream;
 mod text;
+mod whole;
 pub mod zarr;
 
 pub use chunked::{Chunk, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows};
@@ -48,6 +49,7 @@ pub use place::Target;
 pub use read::{MAX_VALUES, read_points};
 pub use sink::{Sink, Summary, hexadecimal};
 pub use source::MAX_SOURCE_VALUES;
+pub use whole::{Form, Whole};
 
 use crate::error::{Error, Result};
 use place::{Place, failed};

@@ -135,6 +135,11 @@ impl Aside {
         })
     }
 
+    /// The final name, symbolic links resolved.
+    pub(super) fn real(&self) -> &Path {
+        &self.real
+    }
+
     /// Writes all bytes, for small files.
     pub(super) fn fill(&mut self, bytes: &[u8]) -> Result<()> {
         self.file

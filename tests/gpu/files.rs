@@ -9,6 +9,8 @@ mod formats;
 mod full;
 #[path = "files/killed.rs"]
 mod killed;
+#[path = "files/masks.rs"]
+mod masks;
 #[path = "files/memory.rs"]
 mod memory;
 #[path = "files/recorded.rs"]

@@ -8,7 +8,7 @@ use super::{JOURNAL, Keeping, PARTIAL, beside};
 use crate::error::{Error, Result};
 use crate::report::encode::Encoder;
 use crate::report::hexadecimal;
-use crate::report::place::{Existing, cannot_create, existing, failed, refused, sync_folder};
+use crate::report::place::{cannot_create, failed, sync_folder};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::fs::{self, OpenOptions};
@@ -50,19 +50,7 @@ impl Chunked {
         watch: &mut dyn FnMut(u64, u64) -> Result<()>,
     ) -> Result<Self> {
         let rows = keeping.unwrap_or_default().rows(&encoder.layout)?;
-        let sidecar = Sidecar::path_of(&real);
-        if let Existing::Device = existing(&sidecar)? {
-            let remedy = "give the output another name";
-            return Err(refused(&sidecar, "it is no regular file", remedy));
-        }
-        if sidecar::is_of_others(&sidecar) {
-            let problem = "it is there, and no FILE.json of corput";
-            return Err(refused(
-                &sidecar,
-                problem,
-                "move it, or give the output another name",
-            ));
-        }
+        sidecar::check_free(&Sidecar::path_of(&real))?;
         let partial = beside(&real, PARTIAL);
         let description = sidecar::description(&origin, &encoder, rows);
         let mut journal = Journal::open(beside(&real, JOURNAL), asked)?;

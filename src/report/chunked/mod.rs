@@ -16,6 +16,7 @@ mod sidecar;
 pub use sidecar::{Origin, SIDECAR_SCHEMA, Sidecar};
 
 pub(super) use file::Chunked;
+pub(super) use sidecar::{check_free, document, recorded, save as save_sidecar, whole_description};
 
 use super::Layout;
 use super::encode::Encoder;
@@ -49,7 +50,7 @@ pub struct Chunk {
 }
 
 impl Chunk {
-    fn read(value: &Value) -> Option<Self> {
+    pub(super) fn read(value: &Value) -> Option<Self> {
         Some(Self {
             bytes: value.get("bytes")?.as_u64()?,
             sha256: value.get("sha256")?.as_str()?.to_owned(),
