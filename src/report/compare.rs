@@ -59,6 +59,14 @@ impl Comparison {
                 problem: format!("it has {bytes} bytes, and {} by its sidecar", sidecar.bytes),
             });
         }
+        // A header of text names every column: more than the file has need not be made.
+        let least = 2 * u64::from(layout.columns);
+        if sidecar.format.is_text() && bytes < least {
+            return Err(Error::Differs {
+                path: path.to_owned(),
+                problem: format!("it has {bytes} bytes, and at least {least} by its shape"),
+            });
+        }
         let encoder = Encoder {
             format: sidecar.format,
             layout,
@@ -112,7 +120,7 @@ impl Comparison {
             }
             None => {
                 for _ in 0..row {
-                    self.line()?;
+                    self.line(0)?;
                 }
             }
         }
@@ -148,13 +156,12 @@ impl Comparison {
         let mut row = self.at / u64::from(self.encoder.layout.columns);
         let mut lines = wanted.split_inclusive(|byte| *byte == b'\n').peekable();
         while let Some(line) = lines.next_if(|line| line.ends_with(b"\n")) {
-            self.line()?;
+            self.line(line.len())?;
             if self.found != line {
                 let (is, must) = (text::show(&self.found), text::show(line));
                 self.differing
                     .note(row, || format!("row {row} is {is} and must be {must}"));
             }
-            self.hash();
             row += 1;
         }
         // A row that goes on with the words to come.
@@ -176,11 +183,9 @@ impl Comparison {
         });
         let mut problem = self.problem.take().or(rows);
         if let Some(mut hashes) = self.hashes.take() {
-            let mut rest = Vec::new();
-            let read = self.file.read_to_end(&mut rest);
-            read.map_err(|source| failed("read", &self.path, source))?;
-            hashes.frame(&rest);
-            if rest != self.encoder.footer() {
+            let footer = self.encoder.footer();
+            let rest = rest(&mut self.file, &mut hashes, footer.len() + 1);
+            if rest.map_err(|source| failed("read", &self.path, source))? != footer {
                 let end = "what follows its last row is not the end of such a file";
                 problem.get_or_insert(end.into());
             }
@@ -204,14 +209,49 @@ impl Comparison {
         part.read_to_end(&mut self.found).map(|_| ())
     }
 
-    fn line(&mut self) -> io::Result<()> {
+    /// Reads and hashes a line, of which one byte more than so many is kept: a damaged file may be
+    /// one line.
+    fn line(&mut self, most: usize) -> io::Result<()> {
         self.found.clear();
-        self.file.read_until(b'\n', &mut self.found).map(|_| ())
+        loop {
+            let block = match self.file.fill_buf() {
+                Ok(block) => block,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(error),
+            };
+            let end = block.iter().position(|byte| *byte == b'\n');
+            let part = &block[..end.map_or(block.len(), |end| end + 1)];
+            if let Some(hashes) = &mut self.hashes {
+                hashes.data(part);
+            }
+            let room = (most + 1).saturating_sub(self.found.len());
+            self.found.extend_from_slice(&part[..part.len().min(room)]);
+            let read = part.len();
+            self.file.consume(read);
+            if end.is_some() || read == 0 {
+                return Ok(());
+            }
+        }
     }
 
     fn hash(&mut self) {
         if let Some(hashes) = &mut self.hashes {
             hashes.data(&self.found);
         }
+    }
+}
+
+/// Hashes what is left of a file, and returns the first bytes of it.
+fn rest(file: &mut impl Read, hashes: &mut Hashes, most: usize) -> io::Result<Vec<u8>> {
+    let (mut kept, mut block) = (Vec::new(), vec![0; BLOCK]);
+    loop {
+        let read = match file.read(&mut block) {
+            Ok(0) => return Ok(kept),
+            Ok(read) => &block[..read],
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(error),
+        };
+        hashes.frame(read);
+        kept.extend_from_slice(&read[..read.len().min(most - kept.len())]);
     }
 }
