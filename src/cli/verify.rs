@@ -1,6 +1,7 @@
 //! `corput verify`: a file or a store made again from what is recorded of it, and compared.
 
 use super::args::{GenerateArgs, VerifyArgs};
+use super::arguments::Places;
 use super::generate::Maker;
 use super::{arguments, generate, mask, points, print, progress};
 use corput::catalog::{Engine, Profile};
@@ -29,6 +30,7 @@ fn file(args: &VerifyArgs) -> anyhow::Result<()> {
     }
     let sidecar = Sidecar::of(&file)?;
     let recorded = Recorded {
+        file: file.clone(),
         document: Sidecar::path_of(&file),
         remedy: "take the FILE.json that was written with the file",
         version: &sidecar.version,
@@ -59,7 +61,7 @@ fn whole(args: &VerifyArgs, file: &Path, origin: &Origin) -> anyhow::Result<()> 
     }
     let recorded = Whole::of(file)?;
     warn_of_version(args, &recorded.version);
-    let mut made = arguments::parse(&origin.arguments)?;
+    let mut made = arguments::parse(&origin.arguments, &places(args, file))?;
     made.device.clone_from(&args.device);
     let (bytes, form) = mask::again(&made, &recorded.format)?;
     recorded.compare(file, &bytes, &form)?;
@@ -68,6 +70,14 @@ fn whole(args: &VerifyArgs, file: &Path, origin: &Origin) -> anyhow::Result<()> 
         recorded.bytes, recorded.sha256
     ));
     Ok(())
+}
+
+/// Where the picture of a file may lie.
+fn places<'a>(args: &'a VerifyArgs, file: &'a Path) -> Places<'a> {
+    Places {
+        given: args.env.as_deref(),
+        folder: file.parent().unwrap_or(Path::new("")),
+    }
 }
 
 fn warn_of_version(args: &VerifyArgs, version: &str) {
@@ -85,6 +95,7 @@ fn store(args: &VerifyArgs) -> anyhow::Result<()> {
     let origin = store.origin();
     let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
     let recorded = Recorded {
+        file: args.file.clone(),
         document: args.file.join("zarr.json"),
         remedy: "take the zarr.json that was written with the store",
         version: &text(&origin["version"]),
@@ -105,7 +116,9 @@ fn store(args: &VerifyArgs) -> anyhow::Result<()> {
 
 /// What is recorded of points.
 struct Recorded<'a> {
-    /// Where, and what to do where that cannot be.
+    /// The file, or the folder of a store.
+    file: PathBuf,
+    /// Where they are recorded, and what to do where that cannot be.
     document: PathBuf,
     remedy: &'static str,
     version: &'a str,
@@ -119,7 +132,7 @@ impl Recorded<'_> {
     fn again(&self, args: &VerifyArgs) -> Result<(Maker, Range<u64>)> {
         let shown = args.file.display();
         warn_of_version(args, self.version);
-        let made = arguments::parse(self.arguments)?;
+        let made = arguments::parse(self.arguments, &places(args, &self.file))?;
         let (maker, layout) = maker(&made, args.device.as_deref())?;
         if layout != self.layout {
             return Err(Error::Document {
