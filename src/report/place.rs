@@ -280,15 +280,56 @@ pub(super) fn cannot_create(asked: &Path, made: &Path, source: &io::Error) -> Er
             ),
             "wait for that run, or remove the partial file",
         ),
+        io::ErrorKind::InvalidFilename => too_long(asked, made),
         _ if made == asked => refused(
             asked,
-            format!("it cannot be opened ({source})"),
-            "choose another file",
+            format!("it cannot be opened for writing: {}", reason(source)),
+            "allow writing to it, or choose another file",
         ),
         _ => refused(
             asked,
-            format!("folder {shown} is not writable ({source})"),
-            "choose another folder",
+            format!("folder {shown} is not writable: {}", reason(source)),
+            "allow writing to it, or choose another folder",
         ),
     }
+}
+
+/// Why nothing can be written somewhere.
+fn reason(source: &io::Error) -> String {
+    match source.kind() {
+        io::ErrorKind::PermissionDenied => format!("this user may not ({source})"),
+        io::ErrorKind::ReadOnlyFilesystem => {
+            format!("its file system may only be read ({source})")
+        }
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            format!("no space is left ({source})")
+        }
+        // As in /proc.
+        io::ErrorKind::NotFound => format!("it takes no new files ({source})"),
+        _ => source.to_string(),
+    }
+}
+
+/// The longest name of a file that usual file systems take, in bytes.
+const NAME_BYTES: usize = 255;
+
+fn too_long(asked: &Path, made: &Path) -> Error {
+    let bytes = |path: &Path| path.file_name().map_or(0, |name| name.len());
+    let (own, beside) = (bytes(asked), bytes(made));
+    if beside <= NAME_BYTES {
+        return refused(
+            asked,
+            "its path is longer than the file system takes",
+            "give a shorter one",
+        );
+    }
+    let most = NAME_BYTES.saturating_sub(beside.saturating_sub(own));
+    refused(
+        asked,
+        format!(
+            "its name has {own} bytes, and that of what is written beside it {beside}, of {NAME_BYTES} that a \
+             name may have"
+        ),
+        format!("give a name of at most {most} bytes"),
+    )
 }
