@@ -96,6 +96,17 @@ impl Journal {
         let Ok(found) = serde_json::from_str::<Value>(first) else {
             return Ok(false);
         };
+        let (by, own) = (&found["version"], &description["version"]);
+        if by != own {
+            // What it would add may have other bits.
+            return Err(refused(
+                asked,
+                format!(
+                    "the partial file beside it is of version {by} of corput, and this is {own}"
+                ),
+                "go on with that version, or drop --resume to discard what it left and begin anew",
+            ));
+        }
         let differ = differences(&found, description);
         if !differ.is_empty() {
             return Err(refused(

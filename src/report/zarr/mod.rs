@@ -84,7 +84,8 @@ impl Store {
                 metadata::read(&name)?
             }
         };
-        match metadata::difference(&wanted, &found.unwrap_or_default()) {
+        let found = found.unwrap_or_default();
+        match metadata::difference(&wanted, &found) {
             None => {
                 create_folder(&store.records(), "--out")?;
                 Ok(store)
@@ -92,7 +93,15 @@ impl Store {
             Some(difference) => Err(Error::Document {
                 path: name,
                 problem: format!("the store is of another array: {difference}"),
-                remedy: "give the arguments that it was begun with, or another folder with --out",
+                remedy: match found["attributes"]["corput"]["version"] == origin["version"] {
+                    true => {
+                        "give the arguments that it was begun with, or another folder with --out"
+                    }
+                    false => {
+                        "fill it with the version of corput that it was begun with, or begin another folder \
+                         with --out"
+                    }
+                },
             }),
         }
     }
