@@ -4,6 +4,7 @@ use super::columns::{self, Made};
 use super::{Mapping, Order, Profile, Scramble, Sequence};
 use crate::interface::Column;
 use crate::{Error, Result};
+use std::ops::Range;
 
 /// Length of every sequence.
 const PERIOD: u64 = 1 << 32;
@@ -162,6 +163,24 @@ pub trait Engine {
 
     /// A good number of points for the next call: small enough for short waits.
     fn chunk(&self) -> u64;
+
+    /// [`Engine::make`] for a range of points, by calls of [`Engine::chunk`] points.
+    ///
+    /// # Errors
+    /// As there.
+    fn make_range(
+        &mut self,
+        points: Range<u64>,
+        take: &mut dyn FnMut(&[u32]) -> Result<()>,
+    ) -> Result<()> {
+        let mut done = points.start;
+        while done < points.end {
+            let count = self.chunk().clamp(1, points.end - done);
+            self.make(done, count, take)?;
+            done += count;
+        }
+        Ok(())
+    }
 }
 
 impl Request {

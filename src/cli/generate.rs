@@ -214,22 +214,16 @@ fn produce(
     bar: &ProgressBar,
 ) -> Result<()> {
     let width = u64::from(layout.columns);
-    let mut done = sink.rows();
-    while done < layout.rows {
-        let points = engine.chunk().clamp(1, layout.rows - done);
-        engine.make(done, points, &mut |mut words| {
-            // A piece may have thousands of chunks, each of which waits for the disk.
-            while !words.is_empty() {
-                interrupt::stop(bar.position(), layout.rows)?;
-                let fit = sink.chunk_left().min(words.len() as u64);
-                let (now, later) = words.split_at(fit as usize);
-                sink.write(now)?;
-                bar.inc(fit / width);
-                words = later;
-            }
-            Ok(())
-        })?;
-        done += points;
-    }
-    Ok(())
+    engine.make_range(sink.rows()..layout.rows, &mut |mut words| {
+        // A piece may have thousands of chunks, each of which waits for the disk.
+        while !words.is_empty() {
+            interrupt::stop(bar.position(), layout.rows)?;
+            let fit = sink.chunk_left().min(words.len() as u64);
+            let (now, later) = words.split_at(fit as usize);
+            sink.write(now)?;
+            bar.inc(fit / width);
+            words = later;
+        }
+        Ok(())
+    })
 }

@@ -181,16 +181,11 @@ fn compare(
 ) -> Result<()> {
     let bar = progress::points(rows.end - rows.start);
     let width = u64::from(layout.columns);
-    let mut done = rows.start;
-    while done < rows.end {
-        let points = engine.chunk().clamp(1, rows.end - done);
-        engine.make(done, points, &mut |words| {
-            take(words)?;
-            bar.inc(words.len() as u64 / width);
-            Ok(())
-        })?;
-        done += points;
-    }
+    engine.make_range(rows.clone(), &mut |words| {
+        take(words)?;
+        bar.inc(words.len() as u64 / width);
+        Ok(())
+    })?;
     bar.finish_and_clear();
     Ok(())
 }
