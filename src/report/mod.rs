@@ -23,6 +23,7 @@
 
 mod chunked;
 mod compare;
+mod difference;
 mod differing;
 mod element;
 mod encode;

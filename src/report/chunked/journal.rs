@@ -4,8 +4,9 @@
 //! the line was written. A line that was cut off, and all after it, count for nothing. The lock
 //! on this file is what keeps two runs apart; it ends with the process that holds it.
 
+use super::super::difference::{Difference, differences};
 use super::super::place::{cannot_create, refused, sync_folder};
-use super::{Chunk, differences};
+use super::Chunk;
 use crate::error::Result;
 use serde_json::{Value, json};
 use std::fs::{File, OpenOptions, TryLockError};
@@ -108,7 +109,13 @@ impl Journal {
             ));
         }
         let differ = differences(&found, description);
+        let say = |one: &Difference| {
+            let Difference { path, there, here } = one;
+            format!("{path} is {there} there and {here} here")
+        };
         if !differ.is_empty() {
+            let differ: Vec<String> = differ.iter().map(say).collect();
+            let differ = differ.join(", ");
             return Err(refused(
                 asked,
                 format!("the partial file beside it is of another run: {differ}"),

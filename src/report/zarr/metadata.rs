@@ -4,9 +4,10 @@ use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::error::{Error, Result};
+use crate::report::difference::{Difference, differences};
 use crate::report::place::failed;
 use crate::report::{Element, Layout};
 
@@ -94,24 +95,9 @@ pub(super) fn difference(wanted: &Value, found: &Value) -> Option<String> {
     if let Some(attributes) = found.get_mut("attributes").and_then(Value::as_object_mut) {
         attributes.retain(|name, _| name == "corput");
     }
-    differing(wanted, &found, "")
-}
-
-fn differing(wanted: &Value, found: &Value, path: &str) -> Option<String> {
-    if let (Value::Object(wanted), Value::Object(found)) = (wanted, found) {
-        let null = Value::Null;
-        let member = |map: &Map<String, Value>, name: &String| map.get(name).cloned();
-        let names = wanted.keys().chain(found.keys());
-        return names.into_iter().find_map(|name| {
-            let path = match path {
-                "" => name.clone(),
-                path => format!("{path}.{name}"),
-            };
-            let wanted = member(wanted, name).unwrap_or(null.clone());
-            differing(&wanted, &member(found, name).unwrap_or(null.clone()), &path)
-        });
-    }
-    (wanted != found).then(|| format!("{path} is {found} there, and {wanted} is wanted"))
+    let first = differences(&found, wanted).into_iter().next()?;
+    let Difference { path, there, here } = first;
+    Some(format!("{path} is {there} there, and {here} is wanted"))
 }
 
 /// A JSON document of a store; `None` where there is no such file.
