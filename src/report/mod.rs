@@ -21,6 +21,7 @@
 //! # Ok::<(), corput::Error>(())
 //! ```
 
+mod aside;
 mod chunked;
 mod compare;
 mod difference;
@@ -105,13 +106,12 @@ pub fn save_all<'b>(files: impl IntoIterator<Item = (PathBuf, &'b [u8])>) -> Res
         match document.place {
             Place::Aside(mut aside) => {
                 aside.fill(bytes)?;
-                aside.sync()?;
                 written.push(aside);
             }
             place => Document { place, ..document }.finish(bytes)?,
         }
     }
-    written.into_iter().try_for_each(place::Aside::commit)
+    written.into_iter().try_for_each(aside::Aside::commit)
 }
 
 /// A place for a small binary file, opened before the work whose result it takes.
@@ -144,7 +144,6 @@ impl Document {
         match self.place {
             Place::Aside(mut aside) => {
                 aside.fill(bytes)?;
-                aside.sync()?;
                 aside.commit()
             }
             mut place => place

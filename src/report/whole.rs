@@ -51,7 +51,6 @@ impl Document {
             return self.finish(bytes);
         };
         aside.fill(bytes)?;
-        aside.sync()?;
         let chunk = chunk(bytes, form.header);
         let rows = form.shape.first().copied().unwrap_or(1);
         let text = document(

@@ -2,13 +2,13 @@
 
 use super::{Chunk, PARTIAL, beside};
 use crate::error::{Error, Result};
+use crate::report::aside::Aside;
 use crate::report::encode::Encoder;
 use crate::report::place::{Existing, existing, failed, refused as unwritable};
 use crate::report::{Element, Format, Layout};
 use serde_json::{Value, json};
 use std::ffi::OsString;
-use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Name and version of the form, which `docs/schemas/file-1.json` describes.
@@ -252,15 +252,9 @@ pub(in crate::report) fn save(file: &Path, document: &[u8]) -> Result<PathBuf> {
     let Existing::File(name) = existing(&name)? else {
         return Err(io(io::Error::other("it is no regular file any more")));
     };
-    let aside = beside(&name, PARTIAL);
-    let written = File::create(&aside).and_then(|mut file| {
-        file.write_all(document)?;
-        file.sync_all()?;
-        fs::rename(&aside, &name)
-    });
-    written.map_err(|source| {
-        let _ = fs::remove_file(&aside);
-        failed("write", &name, source)
-    })?;
+    let io = |source| failed("write", &name, source);
+    let mut aside = Aside::create(beside(&name, PARTIAL), &name, name.clone()).map_err(io)?;
+    aside.fill(document)?;
+    aside.commit()?;
     Ok(name)
 }

@@ -35,7 +35,7 @@ fn places_that_cannot_be_written_are_refused() {
         (PathBuf::new(), "names a folder"),
         (
             inside(&"n".repeat(300)),
-            "its name has 300 bytes, and that of what is written beside it 314, of 255",
+            "its name has 300 bytes, what is written beside it 14 more, and any name 255 at most",
         ),
         (inside(&"n".repeat(242)), "give a name of at most 241 bytes"),
         (inside(&"n/".repeat(3000)).join("p"), "give a shorter one"),
