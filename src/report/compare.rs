@@ -120,7 +120,10 @@ impl Comparison {
             }
             None => {
                 for _ in 0..row {
-                    self.line(0)?;
+                    if !self.line(0)? {
+                        // Its sidecar may say more rows than it has.
+                        break;
+                    }
                 }
             }
         }
@@ -210,9 +213,10 @@ impl Comparison {
     }
 
     /// Reads and hashes a line, of which one byte more than so many is kept: a damaged file may be
-    /// one line.
-    fn line(&mut self, most: usize) -> io::Result<()> {
+    /// one line. False at the end of the file.
+    fn line(&mut self, most: usize) -> io::Result<bool> {
         self.found.clear();
+        let mut any = false;
         loop {
             let block = match self.file.fill_buf() {
                 Ok(block) => block,
@@ -228,8 +232,9 @@ impl Comparison {
             self.found.extend_from_slice(&part[..part.len().min(room)]);
             let read = part.len();
             self.file.consume(read);
+            any |= read > 0;
             if end.is_some() || read == 0 {
-                return Ok(());
+                return Ok(any);
             }
         }
     }

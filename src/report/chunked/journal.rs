@@ -7,6 +7,7 @@
 use super::super::difference::{Difference, differences};
 use super::super::place::{cannot_create, refused, sync_folder};
 use super::Chunk;
+use super::sidecar::MAX_BYTES;
 use crate::error::Result;
 use serde_json::{Value, json};
 use std::fs::{File, OpenOptions, TryLockError};
@@ -87,7 +88,9 @@ impl Journal {
     pub(super) fn load(&mut self, description: &Value, asked: &Path) -> Result<bool> {
         let unreadable = |source| cannot_create(asked, &self.path, &source);
         let mut bytes = Vec::new();
-        self.file.read_to_end(&mut bytes).map_err(unreadable)?;
+        // Of more a run can have left none.
+        let mut file = (&self.file).take(MAX_BYTES);
+        file.read_to_end(&mut bytes).map_err(unreadable)?;
         let text = String::from_utf8_lossy(&bytes);
         let mut lines = text.split_inclusive('\n');
         let whole = |line: &&str| line.ends_with('\n');

@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::report::aside::Aside;
 use crate::report::encode::Encoder;
 use crate::report::place::{Existing, existing, failed, refused as unwritable};
-use crate::report::{Element, Format, Layout};
+use crate::report::{Element, Format, Layout, read_json};
 use serde_json::{Value, json};
 use std::ffi::OsString;
 use std::io;
@@ -15,7 +15,10 @@ use std::path::{Path, PathBuf};
 pub const SIDECAR_SCHEMA: &str = "corput-file/1";
 
 /// The most that is read of a sidecar: of 2^16 chunks with some arguments.
-const MAX_BYTES: u64 = 64 << 20;
+pub(super) const MAX_BYTES: u64 = 64 << 20;
+
+const REMEDY: &str =
+    "give a file that has its FILE.json beside it, as `corput generate --out FILE` writes it";
 
 /// What made the data of a file; recorded beside it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -96,29 +99,21 @@ fn refused(file: &Path, problem: String) -> Error {
     Error::Document {
         path: Sidecar::path_of(file),
         problem,
-        remedy: "give a file that has its FILE.json beside it, as `corput generate --out FILE` writes it",
+        remedy: REMEDY,
     }
 }
 
 /// The document beside a file, whatever it describes.
 pub(in crate::report) fn recorded(file: &Path) -> Result<Value> {
-    let refused = |problem: String| refused(file, problem);
-    let path = Sidecar::path_of(file);
-    let length = std::fs::metadata(&path).map_err(|source| refused(source.to_string()))?;
-    if length.len() > MAX_BYTES {
-        return Err(refused(format!(
-            "it has {} bytes, and {MAX_BYTES} at most",
-            length.len()
-        )));
-    }
-    let bytes = std::fs::read(&path).map_err(|source| refused(source.to_string()))?;
-    let value: Value =
-        serde_json::from_slice(&bytes).map_err(|fault| refused(format!("no JSON: {fault}")))?;
+    let value = read_json(&Sidecar::path_of(file), MAX_BYTES, REMEDY)?;
     if value["schema"] != SIDECAR_SCHEMA {
-        return Err(refused(format!(
-            "its schema is {}, not \"{SIDECAR_SCHEMA}\"",
-            value["schema"]
-        )));
+        return Err(refused(
+            file,
+            format!(
+                "its schema is {}, not \"{SIDECAR_SCHEMA}\"",
+                value["schema"]
+            ),
+        ));
     }
     Ok(value)
 }

@@ -1,13 +1,14 @@
 //! `zarr.json`: what an array is, in the words of Zarr v3.
 
 use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::Path;
 
 use serde_json::{Value, json};
 
 use crate::error::{Error, Result};
 use crate::report::difference::{Difference, differences};
+use crate::report::json::bounded;
 use crate::report::place::failed;
 use crate::report::{Element, Layout};
 
@@ -109,14 +110,10 @@ pub(super) fn read(path: &Path) -> Result<Option<Value>> {
         }
         Err(error) => return Err(failed("open", path, error)),
     };
-    let mut text = Vec::new();
-    file.take(DOCUMENT_BYTES)
-        .read_to_end(&mut text)
-        .map_err(|error| failed("read", path, error))?;
-    let parsed = serde_json::from_slice(&text);
-    parsed.map(Some).map_err(|error| Error::Document {
+    let parsed = bounded(file, DOCUMENT_BYTES);
+    parsed.map(Some).map_err(|problem| Error::Document {
         path: path.to_owned(),
-        problem: format!("it is no JSON document ({error})"),
+        problem,
         remedy: "remove it, and run again what made the store",
     })
 }
