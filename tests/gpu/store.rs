@@ -2,9 +2,13 @@
 
 #[path = "store/damage.rs"]
 mod damage;
+#[path = "store/dask.rs"]
+mod dask;
 mod desk;
 #[path = "store/estimates.rs"]
 mod estimates;
+#[path = "store/python.rs"]
+mod python;
 #[path = "store/refused.rs"]
 mod refused;
 #[path = "store/shards.rs"]

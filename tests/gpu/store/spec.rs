@@ -1,13 +1,12 @@
 //! Stores against the specification of Zarr v3, by a reader of it that is written here, and by
 //! zarr-python.
 
+use super::python::python;
 use super::{Desk, raw_hash};
 use serde_json::{Value, json};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::path::Path;
+use std::process::Command;
 
 /// The bytes of a two-dimensional array in C order, as the specification reads them: keys by
 /// the default encoding, chunks of a regular grid, those that overhang cropped, a missing one
@@ -142,7 +141,8 @@ fn the_attributes_say_how_to_make_it_again() {
 
 #[test]
 fn zarr_python_reads_the_same() {
-    let Some(python) = zarr_python() else {
+    let check = "import zarr; assert zarr.__version__ >= '3'";
+    let Some(python) = python("zarr-python", &["zarr==3.*"], check) else {
         eprintln!("SKIPPED: zarr-python could not be installed; the reader above stands alone");
         return;
     };
@@ -168,41 +168,4 @@ fn zarr_python_reads_the_same() {
         // An attribute of others changes nothing.
         desk.run("merge a.zarr").expect(0, &[]);
     }
-}
-
-/// A Python that has zarr: one made before, or made now within a minute.
-fn zarr_python() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("zarr-python");
-    let python = folder.join("bin/python");
-    let script = ["-c", "import zarr; assert zarr.__version__ >= '3'"];
-    let quietly = |command: &mut Command| within_a_minute(command.stderr(Stdio::null()));
-    if python.exists() && quietly(Command::new(&python).args(script)) {
-        return Some(python);
-    }
-    let made = quietly(Command::new("python3").args(["-m", "venv"]).arg(&folder))
-        && quietly(
-            Command::new(&python)
-                .args(["-m", "pip", "install", "--quiet", "--retries", "0"])
-                .args(["--disable-pip-version-check", "zarr==3.*"]),
-        )
-        && quietly(Command::new(&python).args(script));
-    made.then_some(python)
-}
-
-/// Whether a command succeeds; it is ended where it takes too long.
-fn within_a_minute(command: &mut Command) -> bool {
-    let Ok(mut child) = command.stdin(Stdio::null()).stdout(Stdio::null()).spawn() else {
-        return false;
-    };
-    let begun = Instant::now();
-    while begun.elapsed() < Duration::from_secs(60) {
-        match child.try_wait() {
-            Ok(Some(status)) => return status.success(),
-            Ok(None) => sleep(Duration::from_millis(50)),
-            Err(_) => break,
-        }
-    }
-    let _ = child.kill();
-    let _ = child.wait();
-    false
 }
