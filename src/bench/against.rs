@@ -2,6 +2,7 @@
 
 use super::{Measurement, SCHEMA};
 use crate::error::{Error, Result};
+use crate::report::read_json;
 use serde_json::Value;
 use std::path::Path;
 
@@ -66,6 +67,9 @@ const LEAST: f64 = 0.1;
 /// So many median absolute deviations are too.
 const DEVIATIONS: f64 = 3.0;
 
+/// Bytes of a document at most.
+const MOST: u64 = 16 << 20;
+
 const REMEDY: &str = "give a file that `corput bench --json` wrote";
 
 impl Baseline {
@@ -80,9 +84,7 @@ impl Baseline {
             problem,
             remedy: REMEDY,
         };
-        let text = std::fs::read_to_string(path).map_err(|error| refused(error.to_string()))?;
-        let document: Value = serde_json::from_str(&text)
-            .map_err(|error| refused(format!("it is no JSON document: {error}")))?;
+        let document: Value = read_json(path, MOST, REMEDY)?;
         if document["schema"] != SCHEMA {
             return Err(refused(format!("its schema is not {SCHEMA}")));
         }

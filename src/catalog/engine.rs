@@ -1,6 +1,7 @@
 //! What makes points, on a device or on the CPU.
 
 use crate::{Error, Result};
+use std::ops::Range;
 
 /// Something that makes the points of a request.
 pub trait Engine {
@@ -24,6 +25,24 @@ pub trait Engine {
 
     /// A good number of points for the next call: small enough for short waits.
     fn chunk(&self) -> u64;
+
+    /// [`Engine::make`] for a range of points, by calls of [`Engine::chunk`] points.
+    ///
+    /// # Errors
+    /// As there.
+    fn make_range(
+        &mut self,
+        points: Range<u64>,
+        take: &mut dyn FnMut(&[u32]) -> Result<()>,
+    ) -> Result<()> {
+        let mut done = points.start;
+        while done < points.end {
+            let count = self.chunk().clamp(1, points.end - done);
+            self.make(done, count, take)?;
+            done += count;
+        }
+        Ok(())
+    }
 
     /// Writes the rows of consecutive points, `start` counted from the request's first, into
     /// `words`, which holds whole rows: what floats have as bits, or fractions. A device makes

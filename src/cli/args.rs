@@ -45,7 +45,7 @@ pub enum Command {
     Generate(Box<GenerateArgs>),
     /// Check that a Zarr store is complete, or add estimates of several ranges exactly.
     Merge(MergeArgs),
-    /// Make a file of points again from its FILE.json, and compare.
+    /// Make a file of points again from its FILE.json, or the chunks of a store, and compare.
     Verify(VerifyArgs),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),
@@ -159,16 +159,16 @@ pub struct GenerateArgs {
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub count: Option<u64>,
     /// blue-noise-mask: pixels along a side, 4 to 256.
-    #[serde(skip)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub size: Option<u64>,
     /// blue-noise-mask: values of a pixel, 1 or 2 [default: 1].
-    #[serde(skip)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub channels: Option<u64>,
     /// blue-noise-mask: frames of a mask over time, 1 to 16; size x size x frames is at
     /// most 65536 [default: 1].
-    #[serde(skip)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[arg(long, value_parser = whole, allow_hyphen_values = true)]
     pub frames: Option<u64>,
     /// Index of the first point.

@@ -9,7 +9,7 @@ use corput::vulkan::Device;
 use corput::{Error, Result};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Beside the arguments: the hash of the picture, and the device of native functions.
@@ -47,11 +47,21 @@ pub fn device(device: Option<&Arc<Device>>) -> String {
     device.map_or_else(|| "cpu".to_owned(), |device| host::line(device.info()))
 }
 
-/// The arguments that a sidecar records; those of this run, as the device, are left open.
+/// Where the picture of recorded arguments may lie.
+pub struct Places<'a> {
+    /// Where it is said to lie now.
+    pub given: Option<&'a Path>,
+    /// The folder of what was made of it.
+    pub folder: &'a Path,
+}
+
+/// The arguments that a sidecar records; those of this run, as the device, are left open. Its
+/// picture is sought where it was, seen from here and from the folder of the file.
 ///
 /// # Errors
-/// [`Error::Arguments`] where they are not all known, or the picture is another.
-pub fn parse(recorded: &Value) -> Result<GenerateArgs> {
+/// [`Error::Arguments`] where they are not all known, [`Error::Image`] where the picture is not
+/// there, or another.
+pub fn parse(recorded: &Value, places: &Places) -> Result<GenerateArgs> {
     let mut recorded = recorded.clone();
     let mut taken = |name: &str| recorded.as_object_mut().and_then(|all| all.remove(name));
     let picture = taken(PICTURE);
@@ -62,21 +72,55 @@ pub fn parse(recorded: &Value) -> Result<GenerateArgs> {
             limit: format!("they are not those of `corput generate` ({fault})"),
             remedy: "use the version of corput that wrote the file".into(),
         })?;
-    if let (Some(path), Some(picture)) = (&args.env, picture)
-        && picture != json!(hash(path)?)
-    {
-        return Err(Error::Image {
-            path: path.clone(),
-            problem: format!("its SHA-256 is not {picture}, as when the samples were made"),
-            remedy: "put that picture back".into(),
-        });
-    }
+    args.env = match (&args.env, picture) {
+        (Some(path), Some(picture)) => Some(find(path, &picture, places)?),
+        (None, _) if places.given.is_some() => {
+            return Err(Error::Arguments {
+                asked: "--env".into(),
+                limit: "no picture is recorded, so that none is needed".into(),
+                remedy: "drop --env".into(),
+            });
+        }
+        (path, _) => path.clone(),
+    };
     // A sequence that is random already takes no scramble, not even none.
     let sequence = Sequence::from_name(&args.sequence).ok();
     if sequence.is_none_or(|sequence| sequence.scrambles().is_empty()) {
         args.scramble = None;
     }
     Ok(args)
+}
+
+/// The first of the places where the picture of this hash is.
+fn find(path: &Path, picture: &Value, places: &Places) -> Result<PathBuf> {
+    let beside = places.folder.join(path);
+    let candidates = match places.given {
+        Some(given) => vec![given],
+        None => vec![path, &beside],
+    };
+    let mut problem = None;
+    for candidate in candidates {
+        match hash(candidate) {
+            Ok(found) if json!(found) == *picture => return Ok(candidate.to_owned()),
+            Ok(_) => {
+                problem.get_or_insert(Error::Image {
+                    path: candidate.to_owned(),
+                    problem: format!("its SHA-256 is not {picture}, as when the samples were made"),
+                    remedy: "put that picture back, or say with --env where it lies".into(),
+                });
+            }
+            Err(_) => {}
+        }
+    }
+    let missing = || Error::Image {
+        path: places.given.unwrap_or(path).to_owned(),
+        problem: format!(
+            "it cannot be read, seen from here or from {}",
+            places.folder.display()
+        ),
+        remedy: "check the path, or say with --env where it lies".into(),
+    };
+    Err(problem.unwrap_or_else(missing))
 }
 
 fn hash(path: &Path) -> Result<String> {

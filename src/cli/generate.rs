@@ -119,8 +119,15 @@ pub fn open(
         resume: args.resume,
         chunk_rows: args.chunk_rows,
     };
-    let mut watch = interrupt::stop;
-    Sink::keeping(target, format, layout, origin, keeping, &mut watch).map(Some)
+    let bar = progress::bytes("checking what is there");
+    let mut watch = |done: u64, total: u64| {
+        bar.set_length(total);
+        bar.set_position(done);
+        interrupt::stop(done, total)
+    };
+    let sink = Sink::keeping(target, format, layout, origin, keeping, &mut watch);
+    bar.finish_and_clear();
+    sink.map(Some)
 }
 
 /// Where the points go, and as what.
@@ -207,16 +214,16 @@ fn produce(
     bar: &ProgressBar,
 ) -> Result<()> {
     let width = u64::from(layout.columns);
-    let mut done = sink.rows();
-    while done < layout.rows {
-        let points = engine.chunk().clamp(1, layout.rows - done);
-        engine.make(done, points, &mut |words| {
+    engine.make_range(sink.rows()..layout.rows, &mut |mut words| {
+        // A piece may have thousands of chunks, each of which waits for the disk.
+        while !words.is_empty() {
             interrupt::stop(bar.position(), layout.rows)?;
-            sink.write(words)?;
-            bar.inc(words.len() as u64 / width);
-            Ok(())
-        })?;
-        done += points;
-    }
-    Ok(())
+            let fit = sink.chunk_left().min(words.len() as u64);
+            let (now, later) = words.split_at(fit as usize);
+            sink.write(now)?;
+            bar.inc(fit / width);
+            words = later;
+        }
+        Ok(())
+    })
 }

@@ -5,7 +5,9 @@
 //! PNG of 16 bits. With at most 65,536 pixels no two ranks share a value in any of them.
 
 use super::args::GenerateArgs;
+use super::arguments::origin;
 use super::format::Format;
+use super::generate::element;
 use super::{host, interrupt, progress};
 use corput::blue_noise::{MaskShape, void_and_cluster};
 use corput::catalog::Guide;
@@ -13,8 +15,10 @@ use corput::kernels::VoidAndCluster;
 use corput::picture::{self, Size};
 use corput::reference::blue_noise::blue_noise_fraction;
 use corput::reference::unit::unit_floor;
-use corput::report::{Document, Element, Target, npy_array};
+use corput::report::{Document, Element, Form, NPY_DATA_OFFSET, Target, npy_array};
+use corput::vulkan::Device;
 use corput::{Error, Result};
+use std::sync::Arc;
 
 /// The name on the command line.
 pub const NAME: &str = "blue-noise-mask";
@@ -28,6 +32,36 @@ pub const GUIDE: Guide = Guide {
 };
 
 pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
+    let (shape, channels) = shape(args)?;
+    refuse_points(args)?;
+    let target = Target::from(args.out.as_path());
+    let format = Format::of(&target, args.format.as_deref())?;
+    if args.fractions && format != Format::Npy {
+        let limit = "a PNG holds 16 bits of the fractions, and an .exr floats";
+        return Err(refusal("--fractions".into(), limit, "write an .npy, or drop it").into());
+    }
+    let document = Document::open_described(&target)?;
+    interrupt::clean_up();
+    let device = open(args)?;
+    let origin = origin(args, None, device.as_ref())?;
+    let fractions = fractions(args, shape, channels, device.as_ref())?;
+    let (bytes, form) = encode(format, shape, channels, args.fractions, &fractions)?;
+    document.finish_described(&bytes, &form, &origin)?;
+    Ok(())
+}
+
+/// A mask of recorded arguments made again: the bytes of its file.
+pub fn again(made: &GenerateArgs, format: &str) -> Result<(Vec<u8>, Form)> {
+    let (shape, channels) = shape(made)?;
+    let format = Format::of(&Target::Stdout, Some(format))?;
+    let whole = element(made)? == Element::U32;
+    let device = open(made)?;
+    let fractions = fractions(made, shape, channels, device.as_ref())?;
+    encode(format, shape, channels, whole, &fractions)
+}
+
+/// Pixels and channels.
+fn shape(args: &GenerateArgs) -> Result<(MaskShape, u32)> {
     let size = args.size.ok_or_else(|| {
         refusal(
             format!("{NAME} without --size"),
@@ -36,32 +70,23 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
         )
     })?;
     let shape = MaskShape::new(size, size, args.frames.unwrap_or(1))?;
-    let channels = match args.channels.unwrap_or(1) {
-        channels @ 1..=2 => channels as u32,
+    match args.channels.unwrap_or(1) {
+        channels @ 1..=2 => Ok((shape, channels as u32)),
         channels => {
             let asked = format!("--channels {channels}");
             let remedy = "make several masks with different seeds for more";
-            return Err(refusal(asked, "a mask has 1 or 2", remedy).into());
+            Err(refusal(asked, "a mask has 1 or 2", remedy))
         }
-    };
-    refuse_points(args)?;
-    let target = Target::from(args.out.as_path());
-    let format = Format::of(&target, args.format.as_deref())?;
-    if args.fractions && format != Format::Npy {
-        let limit = "a PNG holds 16 bits of the fractions, and an .exr floats";
-        return Err(refusal("--fractions".into(), limit, "write an .npy, or drop it").into());
     }
-    let document = Document::open(&target)?;
-    interrupt::clean_up();
-    let fractions = fractions(args, shape, channels)?;
-    document.finish(&encode(
-        format,
-        shape,
-        channels,
-        args.fractions,
-        &fractions,
-    )?)?;
-    Ok(())
+}
+
+/// The device that ranks the pixels; none for the CPU.
+fn open(args: &GenerateArgs) -> Result<Option<Arc<Device>>> {
+    let asked = args.device.as_deref();
+    match host::is_cpu(host::asked(asked).as_deref()) {
+        true => Ok(None),
+        false => host::open(asked).map(Some),
+    }
 }
 
 /// Refuses what only masks have, for points.
@@ -112,15 +137,15 @@ fn refusal(asked: String, limit: &str, remedy: &str) -> Error {
 }
 
 /// The fractions of every pixel, channels innermost.
-fn fractions(args: &GenerateArgs, shape: MaskShape, channels: u32) -> anyhow::Result<Vec<u32>> {
+fn fractions(
+    args: &GenerateArgs,
+    shape: MaskShape,
+    channels: u32,
+    device: Option<&Arc<Device>>,
+) -> Result<Vec<u32>> {
     let pixels = shape.pixels();
     let mut fractions = vec![0; (pixels * channels) as usize];
-    let device = if host::is_cpu(host::asked(args.device.as_deref()).as_deref()) {
-        None
-    } else {
-        Some(host::open(args.device.as_deref())?)
-    };
-    let kernel = device.as_ref().map(VoidAndCluster::new).transpose()?;
+    let kernel = device.map(VoidAndCluster::new).transpose()?;
     let total = u64::from(pixels * channels);
     let bar = progress::points(total);
     for channel in 0..channels {
@@ -138,7 +163,7 @@ fn fractions(args: &GenerateArgs, shape: MaskShape, channels: u32) -> anyhow::Re
         }
     }
     bar.finish_and_clear();
-    if let Some(device) = &device {
+    if let Some(device) = device {
         host::validated(device.instance())?;
     }
     Ok(fractions)
@@ -153,33 +178,43 @@ fn encode(
     channels: u32,
     whole: bool,
     fractions: &[u32],
-) -> Result<Vec<u8>> {
+) -> Result<(Vec<u8>, Form)> {
     let size = Size {
         width: shape.width,
         height: shape.height * shape.frames,
         channels,
     };
-    let floats = fractions.iter().map(|fraction| unit_floor(*fraction));
-    match format {
+    let floats = || fractions.iter().map(|fraction| unit_floor(*fraction));
+    let mut axes = vec![size.height, size.width];
+    if format == Format::Npy && shape.frames > 1 {
+        axes = vec![shape.frames, shape.height, shape.width];
+    }
+    if channels > 1 {
+        axes.push(channels);
+    }
+    let (bytes, format, descr, header) = match format {
         Format::Png => {
             let samples: Vec<u16> = fractions.iter().map(|f| (f >> 16) as u16).collect();
-            picture::png(size, &samples)
+            (picture::png(size, &samples)?, "png", ">u2", 0)
         }
-        Format::Exr => picture::exr(size, &floats.collect::<Vec<_>>()),
+        Format::Exr => {
+            let samples: Vec<f32> = floats().collect();
+            (picture::exr(size, &samples)?, "exr", "<f4", 0)
+        }
         Format::Npy => {
-            let mut axes = vec![shape.height, shape.width];
-            if shape.frames > 1 {
-                axes.insert(0, shape.frames);
-            }
-            if channels > 1 {
-                axes.push(channels);
-            }
-            Ok(if whole {
-                npy_array(Element::U32, &axes, fractions)
-            } else {
-                let words: Vec<u32> = floats.map(f32::to_bits).collect();
-                npy_array(Element::F32, &axes, &words)
-            })
+            let (element, words) = match whole {
+                true => (Element::U32, fractions.to_vec()),
+                false => (Element::F32, floats().map(f32::to_bits).collect()),
+            };
+            let bytes = npy_array(element, &axes, &words);
+            (bytes, "npy", element.descr(), NPY_DATA_OFFSET)
         }
-    }
+    };
+    let form = Form {
+        format,
+        shape: axes,
+        descr,
+        header,
+    };
+    Ok((bytes, form))
 }

@@ -26,6 +26,16 @@ pub fn chunks(total: u64) -> ProgressBar {
     bar
 }
 
+/// A bar over bytes that are read, of a number that it hears later.
+pub fn bytes(what: &'static str) -> ProgressBar {
+    let bar = bar(0);
+    bar.set_style(style(
+        "{prefix}: {bar:32} {bytes}/{total_bytes}, {bytes_per_sec}, {eta} left",
+    ));
+    bar.set_prefix(what);
+    bar
+}
+
 /// A bar over one step after another, which [`step`] tells it.
 pub fn steps() -> ProgressBar {
     let bar = bar(0);

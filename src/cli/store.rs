@@ -49,7 +49,7 @@ pub fn asked(args: &GenerateArgs) -> Result<bool> {
         ),
         _ if store && args.chunk_rows.is_some() => refused(
             "--chunk-rows for a Zarr store".to_owned(),
-            "its chunks follow from the number of columns, so that all machines have the same",
+            "its chunks follow from columns and type, so that all machines have the same",
             "drop --chunk-rows",
         ),
         Some(shard) if !store => refused(
@@ -152,15 +152,10 @@ fn make(
     step: &dyn Fn(u64) -> Result<()>,
 ) -> Result<Vec<u32>> {
     let mut words = Vec::new();
-    let mut done = rows.start;
-    while done < rows.end {
-        let points = engine.chunk().clamp(1, rows.end - done);
-        engine.make(done, points, &mut |piece| {
-            words.extend_from_slice(piece);
-            step(piece.len() as u64)
-        })?;
-        done += points;
-    }
+    engine.make_range(rows.clone(), &mut |piece| {
+        words.extend_from_slice(piece);
+        step(piece.len() as u64)
+    })?;
     Ok(words)
 }
 

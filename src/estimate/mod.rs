@@ -3,10 +3,12 @@
 
 mod float_sum;
 mod pixels;
+mod recorded;
 mod wide;
 
 pub use float_sum::{FloatSum, WINDOWS, window_scale};
 pub use pixels::Pixels;
+pub use recorded::Recorded;
 pub use wide::U256;
 
 use crate::{Error, Result};

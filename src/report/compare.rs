@@ -3,6 +3,7 @@
 mod hashes;
 
 use super::chunked::Sidecar;
+use super::differing::{Differing, check_end, check_range};
 use super::encode::Encoder;
 use super::place::failed;
 use super::text;
@@ -31,9 +32,8 @@ pub struct Comparison {
     /// Bytes that the words to come begin with, and those of the file.
     wanted: Vec<u8>,
     found: Vec<u8>,
-    /// Rows that differ, the last of them, and what is to be said of the first.
-    rows: u64,
-    last: Option<u64>,
+    differing: Differing,
+    /// What is wrong before the first row.
     problem: Option<String>,
 }
 
@@ -45,16 +45,7 @@ impl Comparison {
     /// that of the sidecar, [`Error::Points`] where it cannot be opened.
     pub fn open(path: &Path, sidecar: &Sidecar, rows: Range<u64>) -> Result<Self> {
         let layout = sidecar.layout;
-        if rows.start >= rows.end || rows.end > layout.rows {
-            return Err(Error::Arguments {
-                asked: format!("rows {}..{} of {}", rows.start, rows.end, path.display()),
-                limit: format!(
-                    "it has the rows 0..{}, and a range has one at least",
-                    layout.rows
-                ),
-                remedy: "ask for A..B with A below B, which is not part of it".into(),
-            });
-        }
+        check_range(path, &layout, &rows)?;
         let unreadable = |source: io::Error| Error::Points {
             path: path.to_owned(),
             problem: source.to_string(),
@@ -66,6 +57,14 @@ impl Comparison {
             return Err(Error::Differs {
                 path: path.to_owned(),
                 problem: format!("it has {bytes} bytes, and {} by its sidecar", sidecar.bytes),
+            });
+        }
+        // A header of text names every column: more than the file has need not be made.
+        let least = 2 * u64::from(layout.columns);
+        if sidecar.format.is_text() && bytes < least {
+            return Err(Error::Differs {
+                path: path.to_owned(),
+                problem: format!("it has {bytes} bytes, and at least {least} by its shape"),
             });
         }
         let encoder = Encoder {
@@ -95,8 +94,7 @@ impl Comparison {
             end: rows.end * columns,
             wanted: Vec::new(),
             found: Vec::new(),
-            rows: 0,
-            last: None,
+            differing: Differing::new(&layout),
             problem: None,
         };
         comparison
@@ -122,7 +120,10 @@ impl Comparison {
             }
             None => {
                 for _ in 0..row {
-                    self.line()?;
+                    if !self.line(0)? {
+                        // Its sidecar may say more rows than it has.
+                        break;
+                    }
                 }
             }
         }
@@ -146,23 +147,7 @@ impl Comparison {
     fn binary(&mut self) -> io::Result<()> {
         let wanted = std::mem::take(&mut self.wanted);
         self.read(wanted.len())?;
-        if self.found != wanted {
-            let element = self.encoder.layout.element;
-            let columns = u64::from(self.encoder.layout.columns);
-            let size = element.bytes() as usize;
-            let found = std::mem::take(&mut self.found);
-            let pairs = found.chunks_exact(size).zip(wanted.chunks_exact(size));
-            for (index, (found, wanted)) in (self.at..).zip(pairs) {
-                if found != wanted {
-                    let (row, column) = (index / columns, index % columns);
-                    self.differs(row, || {
-                        let (is, must) = (element.show(found), element.show(wanted));
-                        format!("row {row}, column {column} is {is} and must be {must}")
-                    });
-                }
-            }
-            self.found = found;
-        }
+        self.differing.compare(self.at, &self.found, &wanted);
         self.hash();
         self.wanted = wanted;
         self.wanted.clear();
@@ -174,25 +159,17 @@ impl Comparison {
         let mut row = self.at / u64::from(self.encoder.layout.columns);
         let mut lines = wanted.split_inclusive(|byte| *byte == b'\n').peekable();
         while let Some(line) = lines.next_if(|line| line.ends_with(b"\n")) {
-            self.line()?;
+            self.line(line.len())?;
             if self.found != line {
                 let (is, must) = (text::show(&self.found), text::show(line));
-                self.differs(row, || format!("row {row} is {is} and must be {must}"));
+                self.differing
+                    .note(row, || format!("row {row} is {is} and must be {must}"));
             }
-            self.hash();
             row += 1;
         }
         // A row that goes on with the words to come.
         self.wanted = lines.next().unwrap_or_default().to_vec();
         Ok(())
-    }
-
-    fn differs(&mut self, row: u64, say: impl FnOnce() -> String) {
-        self.problem.get_or_insert_with(say);
-        if self.last != Some(row) {
-            self.last = Some(row);
-            self.rows += 1;
-        }
     }
 
     /// Compares what follows the last row, and the hashes.
@@ -201,23 +178,17 @@ impl Comparison {
     /// [`Error::Differs`] where anything was not equal, [`Error::Arguments`] where words are
     /// missing, [`Error::Io`] where the file cannot be read.
     pub fn finish(mut self) -> Result<()> {
-        if self.at != self.end {
-            return Err(Error::Arguments {
-                asked: format!("a comparison that ends at word {}", self.at),
-                limit: format!("the rows end at word {}", self.end),
-                remedy: "give exactly the words of the rows".into(),
-            });
-        }
-        let mut problem = self.problem.take().map(|first| match self.rows {
-            0 => first,
-            rows => format!("{first}; {rows} of {} rows differ", self.count),
+        check_end(self.at, self.end)?;
+        let differing = &self.differing;
+        let rows = differing.first().map(|first| {
+            let (rows, count) = (differing.rows(), self.count);
+            format!("{first}; {rows} of {count} rows differ")
         });
+        let mut problem = self.problem.take().or(rows);
         if let Some(mut hashes) = self.hashes.take() {
-            let mut rest = Vec::new();
-            let read = self.file.read_to_end(&mut rest);
-            read.map_err(|source| failed("read", &self.path, source))?;
-            hashes.frame(&rest);
-            if rest != self.encoder.footer() {
+            let footer = self.encoder.footer();
+            let rest = rest(&mut self.file, &mut hashes, footer.len() + 1);
+            if rest.map_err(|source| failed("read", &self.path, source))? != footer {
                 let end = "what follows its last row is not the end of such a file";
                 problem.get_or_insert(end.into());
             }
@@ -241,14 +212,51 @@ impl Comparison {
         part.read_to_end(&mut self.found).map(|_| ())
     }
 
-    fn line(&mut self) -> io::Result<()> {
+    /// Reads and hashes a line, of which one byte more than so many is kept: a damaged file may be
+    /// one line. False at the end of the file.
+    fn line(&mut self, most: usize) -> io::Result<bool> {
         self.found.clear();
-        self.file.read_until(b'\n', &mut self.found).map(|_| ())
+        let mut any = false;
+        loop {
+            let block = match self.file.fill_buf() {
+                Ok(block) => block,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(error),
+            };
+            let end = block.iter().position(|byte| *byte == b'\n');
+            let part = &block[..end.map_or(block.len(), |end| end + 1)];
+            if let Some(hashes) = &mut self.hashes {
+                hashes.data(part);
+            }
+            let room = (most + 1).saturating_sub(self.found.len());
+            self.found.extend_from_slice(&part[..part.len().min(room)]);
+            let read = part.len();
+            self.file.consume(read);
+            any |= read > 0;
+            if end.is_some() || read == 0 {
+                return Ok(any);
+            }
+        }
     }
 
     fn hash(&mut self) {
         if let Some(hashes) = &mut self.hashes {
             hashes.data(&self.found);
         }
+    }
+}
+
+/// Hashes what is left of a file, and returns the first bytes of it.
+fn rest(file: &mut impl Read, hashes: &mut Hashes, most: usize) -> io::Result<Vec<u8>> {
+    let (mut kept, mut block) = (Vec::new(), vec![0; BLOCK]);
+    loop {
+        let read = match file.read(&mut block) {
+            Ok(0) => return Ok(kept),
+            Ok(read) => &block[..read],
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(error),
+        };
+        hashes.frame(read);
+        kept.extend_from_slice(&read[..read.len().min(most - kept.len())]);
     }
 }

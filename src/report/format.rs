@@ -15,9 +15,12 @@ pub enum Format {
     Raw,
     /// Text with the header `x0,x1,...` (ending `.csv`).
     Csv,
-    /// A C header with one array of numbers that read back as the same bits (ending `.h`).
+    /// A C header with one array of numbers that read back as the same bits (ending `.h`). The
+    /// array of `a_b.h` is `points_a_b`; a name of more than letters, digits and single `_` has
+    /// digits of its SHA-256 behind it, so that no two files have one array.
     C,
-    /// A GLSL array of `uint`: the bits of floats, or integers (ending `.glsl`).
+    /// A GLSL array of `uint`: the bits of floats, or integers (ending `.glsl`). It is
+    /// called as that of a C header.
     Glsl,
 }
 

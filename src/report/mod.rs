@@ -21,12 +21,16 @@
 //! # Ok::<(), corput::Error>(())
 //! ```
 
+mod aside;
 mod chunked;
 mod compare;
+mod difference;
+mod differing;
 mod element;
 mod encode;
 mod escape;
 mod format;
+mod json;
 mod page;
 mod place;
 mod read;
@@ -34,6 +38,7 @@ mod sink;
 mod source;
 mod stream;
 mod text;
+mod whole;
 pub mod zarr;
 
 pub use chunked::{Chunk, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows};
@@ -42,11 +47,13 @@ pub use element::Element;
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
 pub use escape::escape;
 pub use format::Format;
+pub use json::read_json;
 pub use page::page;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};
 pub use sink::{Sink, Summary, hexadecimal};
 pub use source::MAX_SOURCE_VALUES;
+pub use whole::{Form, Whole};
 
 use crate::error::{Error, Result};
 use place::{Place, failed};
@@ -101,13 +108,12 @@ pub fn save_all<'b>(files: impl IntoIterator<Item = (PathBuf, &'b [u8])>) -> Res
         match document.place {
             Place::Aside(mut aside) => {
                 aside.fill(bytes)?;
-                aside.sync()?;
                 written.push(aside);
             }
             place => Document { place, ..document }.finish(bytes)?,
         }
     }
-    written.into_iter().try_for_each(place::Aside::commit)
+    written.into_iter().try_for_each(aside::Aside::commit)
 }
 
 /// A place for a small binary file, opened before the work whose result it takes.
@@ -140,7 +146,6 @@ impl Document {
         match self.place {
             Place::Aside(mut aside) => {
                 aside.fill(bytes)?;
-                aside.sync()?;
                 aside.commit()
             }
             mut place => place

@@ -1,11 +1,11 @@
 //! Where the bytes go, and how a file comes to its name all at once.
 
-use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use super::Format;
+use super::aside::{Aside, ENDING};
 use crate::error::{Error, Result};
 
 /// Where results go.
@@ -77,7 +77,12 @@ impl Place {
                             .open(path)
                             .map_err(|e| cannot_create(path, path, &e))?,
                     ),
-                    Existing::File(real) => Self::Aside(Aside::create(path, real)?),
+                    Existing::File(real) => {
+                        let folder = folder_of(&real).to_owned();
+                        let made = folder.join(ENDING);
+                        let aside = Aside::create_in(&folder, path, real);
+                        Self::Aside(aside.map_err(|e| cannot_create(path, &made, &e))?)
+                    }
                 };
                 Ok((place, path.clone()))
             }
@@ -98,71 +103,6 @@ impl Write for Place {
         match self {
             Self::Aside(_) | Self::Device(_) => Ok(()),
             Self::Stdout(out) => out.flush(),
-        }
-    }
-}
-
-/// A file under a temporary name beside its final one. Dropping it without
-/// [`Aside::commit`] removes it.
-pub(super) struct Aside {
-    file: File,
-    partial: PathBuf,
-    /// The final name, symbolic links resolved.
-    real: PathBuf,
-    /// The final name as the user gave it.
-    asked: PathBuf,
-    committed: bool,
-}
-
-impl Aside {
-    /// Creates `.NAME.PID.partial` in the folder of `real`.
-    fn create(asked: &Path, real: PathBuf) -> Result<Self> {
-        let mut name = OsString::from(".");
-        name.push(real.file_name().unwrap_or_default());
-        name.push(format!(".{}.partial", std::process::id()));
-        let partial = real.with_file_name(name);
-        let file = OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(&partial)
-            .map_err(|e| cannot_create(asked, &partial, &e))?;
-        Ok(Self {
-            file,
-            partial,
-            real,
-            asked: asked.to_owned(),
-            committed: false,
-        })
-    }
-
-    /// Writes all bytes, for small files.
-    pub(super) fn fill(&mut self, bytes: &[u8]) -> Result<()> {
-        self.file
-            .write_all(bytes)
-            .map_err(|e| failed("write", &self.asked, e))
-    }
-
-    /// Waits until the bytes are on the disk.
-    pub(super) fn sync(&self) -> Result<()> {
-        self.file
-            .sync_all()
-            .map_err(|e| failed("sync", &self.asked, e))
-    }
-
-    /// Gives the file its final name; call [`Aside::sync`] before.
-    pub(super) fn commit(mut self) -> Result<()> {
-        fs::rename(&self.partial, &self.real)
-            .map_err(|e| failed("rename the finished file to", &self.asked, e))?;
-        self.committed = true;
-        sync_folder(&self.real).map_err(|e| failed("sync the folder of", &self.asked, e))
-    }
-}
-
-impl Drop for Aside {
-    fn drop(&mut self) {
-        if !self.committed {
-            // Nothing more can be done about a file that will not go.
-            let _ = fs::remove_file(&self.partial);
         }
     }
 }
@@ -200,6 +140,8 @@ pub(super) fn existing(path: &Path) -> Result<Existing> {
             "it is a symbolic link that leads nowhere",
             "remove the link, or make what it points at",
         )),
+        // What is written aside may have a shorter name.
+        Err(error) if error.kind() == io::ErrorKind::InvalidFilename => Err(too_long(path)),
         // Whatever else is wrong, creating the partial file meets it too.
         Err(_) => Ok(Existing::File(path.to_owned())),
     }
@@ -267,23 +209,57 @@ pub(super) fn cannot_create(asked: &Path, made: &Path, source: &io::Error) -> Er
             format!("{shown} is not a folder"),
             "give another folder",
         ),
-        io::ErrorKind::AlreadyExists => refused(
-            asked,
-            format!(
-                "{} is there, so another run is writing this file or one was killed",
-                made.display()
-            ),
-            "wait for that run, or remove the partial file",
-        ),
+        io::ErrorKind::InvalidFilename => too_long(asked),
         _ if made == asked => refused(
             asked,
-            format!("it cannot be opened ({source})"),
-            "choose another file",
+            format!("it cannot be opened for writing: {}", reason(source)),
+            "allow writing to it, or choose another file",
         ),
         _ => refused(
             asked,
-            format!("folder {shown} is not writable ({source})"),
-            "choose another folder",
+            format!("folder {shown} is not writable: {}", reason(source)),
+            "allow writing to it, or choose another folder",
         ),
     }
+}
+
+/// Why nothing can be written somewhere.
+fn reason(source: &io::Error) -> String {
+    match source.kind() {
+        io::ErrorKind::PermissionDenied => format!("this user may not ({source})"),
+        io::ErrorKind::ReadOnlyFilesystem => {
+            format!("its file system may only be read ({source})")
+        }
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            format!("no space is left ({source})")
+        }
+        // As in /proc.
+        io::ErrorKind::NotFound => format!("it takes no new files ({source})"),
+        _ => source.to_string(),
+    }
+}
+
+/// The longest name of a file that usual file systems take, in bytes, and what journals have
+/// more than the file that they are beside.
+const NAME_BYTES: usize = 255;
+const MORE_BYTES: usize = "..partial.json".len();
+
+fn too_long(asked: &Path) -> Error {
+    let own = asked.file_name().map_or(0, |name| name.len());
+    if own + MORE_BYTES <= NAME_BYTES {
+        return refused(
+            asked,
+            "its path is longer than the file system takes",
+            "give a shorter one",
+        );
+    }
+    let most = NAME_BYTES - MORE_BYTES;
+    refused(
+        asked,
+        format!(
+            "its name has {own} bytes, what is written beside it {MORE_BYTES} more, and any name \
+             {NAME_BYTES} at most"
+        ),
+        format!("give a name of at most {most} bytes"),
+    )
 }

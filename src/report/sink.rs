@@ -152,7 +152,17 @@ impl Sink {
         self.taken / u64::from(self.encoder.layout.columns)
     }
 
-    /// Appends words, row-major; floats as their bits. A chunk may begin and
+    /// Words that complete the chunk at work. Whoever writes no more at once may stop between
+    /// chunks, each of which waits for the disk. A stream has no chunks, and no such limit.
+    #[must_use]
+    pub fn chunk_left(&self) -> u64 {
+        match &self.out {
+            Out::File(file) => file.chunk_left(self.taken),
+            Out::Stream(_) => u64::MAX,
+        }
+    }
+
+    /// Appends words, row-major; floats as their bits. A piece may begin and
     /// end anywhere, also within a row.
     ///
     /// # Errors

@@ -1,15 +1,17 @@
 //! Arrays as source text, for C and C++ and for GLSL. Each row is a line.
 
 use super::text::{fields, number};
-use super::{Element, Format, Layout};
+use super::{Element, Format, Layout, hexadecimal};
 use crate::error::{Error, Result};
+use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
 /// The most values: compilers take source text of megabytes, and not of more.
 pub const MAX_SOURCE_VALUES: u64 = 1 << 20;
 
-/// The array's name: `points_` and that of the file without its ending, where other characters
-/// than letters and digits become `_`. So it is no keyword, and begins with a letter.
+/// The array's name: `points_` and that of the file without its ending, so that it is no keyword.
+/// What is no letter or digit becomes `_`, and eight digits of the SHA-256 follow: `a-b` and `a_b`
+/// have two names. GLSL reserves `__`.
 pub(super) fn name(format: Format, layout: &Layout, file: &str) -> Result<String> {
     let refused = |asked: String, limit: &str, remedy: &str| {
         Err(Error::Arguments {
@@ -33,7 +35,11 @@ pub(super) fn name(format: Format, layout: &Layout, file: &str) -> Result<String
     }
     let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
     let parts = stem.split(|c: char| !c.is_ascii_alphanumeric());
-    let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+    let mut parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+    let hash = hexadecimal(&Sha256::digest(stem)[..4]);
+    if parts.join("_") != stem {
+        parts.push(&hash);
+    }
     Ok(format!("points_{}", parts.join("_")))
 }
 
@@ -47,10 +53,11 @@ pub(super) fn c_header(layout: &Layout, name: &str) -> Vec<u8> {
         Element::U32 => ("stdint.h", "uint32_t"),
         Element::U16 => ("stdint.h", "uint16_t"),
     };
-    let guard = name.to_ascii_uppercase();
+    // In capitals those of p.h and P.h would be one.
+    let guard = format!("{name}_H");
     format!(
         "/* {name}[i][j]: column j of row i. */\n\
-         #ifndef {guard}_H\n#define {guard}_H\n\n#include <{include}>\n\n\
+         #ifndef {guard}\n#define {guard}\n\n#include <{include}>\n\n\
          static const {kind} {name}[{rows}][{columns}] = {{\n"
     )
     .into_bytes()
@@ -117,7 +124,7 @@ pub(super) const GLSL_FOOTER: &[u8] = b");\n\n#endif\n";
 
 pub(super) fn glsl_header(layout: &Layout, name: &str) -> Vec<u8> {
     let Layout { rows, columns, .. } = layout;
-    let (values, guard) = (rows * u64::from(*columns), name.to_ascii_uppercase());
+    let (values, guard) = (rows * u64::from(*columns), format!("{name}_GLSL"));
     let element = format!("{name}[{columns}u * i + j]");
     let read = match layout.element {
         // Compilers may read decimal digits as they like.

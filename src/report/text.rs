@@ -61,11 +61,12 @@ fn float(value: f32, out: &mut String) -> std::fmt::Result {
     }
 }
 
-/// A row of a file as a message shows it: the beginning, without what ends the line.
+/// A row of a file as a message shows it: the beginning, without what ends the line. What a terminal
+/// would obey or hide is shown as its escape.
 pub(super) fn show(line: &[u8]) -> String {
     const SHOWN: usize = 80;
     let text = String::from_utf8_lossy(line);
-    let text = text.trim();
+    let text: String = text.trim().chars().flat_map(char::escape_debug).collect();
     match text.char_indices().nth(SHOWN) {
         Some((end, _)) => format!("`{}...`", &text[..end]),
         None => format!("`{text}`"),

@@ -8,7 +8,7 @@ use super::{JOURNAL, Keeping, PARTIAL, beside};
 use crate::error::{Error, Result};
 use crate::report::encode::Encoder;
 use crate::report::hexadecimal;
-use crate::report::place::{Existing, cannot_create, existing, failed, refused, sync_folder};
+use crate::report::place::{cannot_create, failed, sync_folder};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::fs::{self, OpenOptions};
@@ -50,19 +50,7 @@ impl Chunked {
         watch: &mut dyn FnMut(u64, u64) -> Result<()>,
     ) -> Result<Self> {
         let rows = keeping.unwrap_or_default().rows(&encoder.layout)?;
-        let sidecar = Sidecar::path_of(&real);
-        if let Existing::Device = existing(&sidecar)? {
-            let remedy = "give the output another name";
-            return Err(refused(&sidecar, "it is no regular file", remedy));
-        }
-        if sidecar::is_of_others(&sidecar) {
-            let problem = "it is there, and no FILE.json of corput";
-            return Err(refused(
-                &sidecar,
-                problem,
-                "move it, or give the output another name",
-            ));
-        }
+        sidecar::check_free(&Sidecar::path_of(&real))?;
         let partial = beside(&real, PARTIAL);
         let description = sidecar::description(&origin, &encoder, rows);
         let mut journal = Journal::open(beside(&real, JOURNAL), asked)?;
@@ -141,12 +129,18 @@ impl Chunked {
         self.start
     }
 
+    /// Words from the array's word `at` to the end of its chunk.
+    pub(in crate::report) fn chunk_left(&self, at: u64) -> u64 {
+        let chunk = self.rows * u64::from(self.encoder.layout.columns);
+        chunk - at % chunk
+    }
+
     /// Takes words, the first of which is the array's word `at`.
     pub(in crate::report) fn write(&mut self, mut at: u64, mut words: &[u32]) -> Result<()> {
-        let columns = u64::from(self.encoder.layout.columns);
-        let (chunk, total) = (self.rows * columns, self.encoder.layout.rows * columns);
+        let total = self.encoder.layout.rows * u64::from(self.encoder.layout.columns);
         while !words.is_empty() {
-            let fit = WORDS.min(chunk - at % chunk).min(words.len() as u64);
+            let left = self.chunk_left(at);
+            let fit = WORDS.min(left).min(words.len() as u64);
             let (now, later) = words.split_at(fit as usize);
             if self.piece.capacity() == 0 {
                 // No more than the rest of a small file.
@@ -158,7 +152,7 @@ impl Chunked {
             words = later;
             if at == total {
                 self.send(Role::Last)?;
-            } else if at.is_multiple_of(chunk) {
+            } else if fit == left {
                 self.send(Role::End)?;
             } else if self.piece.len() + ROOM > PIECE {
                 self.send(Role::Inside)?;

@@ -4,8 +4,10 @@
 //! the line was written. A line that was cut off, and all after it, count for nothing. The lock
 //! on this file is what keeps two runs apart; it ends with the process that holds it.
 
+use super::super::difference::{Difference, differences};
 use super::super::place::{cannot_create, refused, sync_folder};
-use super::{Chunk, differences};
+use super::Chunk;
+use super::sidecar::MAX_BYTES;
 use crate::error::Result;
 use serde_json::{Value, json};
 use std::fs::{File, OpenOptions, TryLockError};
@@ -86,7 +88,9 @@ impl Journal {
     pub(super) fn load(&mut self, description: &Value, asked: &Path) -> Result<bool> {
         let unreadable = |source| cannot_create(asked, &self.path, &source);
         let mut bytes = Vec::new();
-        self.file.read_to_end(&mut bytes).map_err(unreadable)?;
+        // Of more a run can have left none.
+        let mut file = (&self.file).take(MAX_BYTES);
+        file.read_to_end(&mut bytes).map_err(unreadable)?;
         let text = String::from_utf8_lossy(&bytes);
         let mut lines = text.split_inclusive('\n');
         let whole = |line: &&str| line.ends_with('\n');
@@ -96,8 +100,25 @@ impl Journal {
         let Ok(found) = serde_json::from_str::<Value>(first) else {
             return Ok(false);
         };
+        let (by, own) = (&found["version"], &description["version"]);
+        if by != own {
+            // What it would add may have other bits.
+            return Err(refused(
+                asked,
+                format!(
+                    "the partial file beside it is of version {by} of corput, and this is {own}"
+                ),
+                "go on with that version, or drop --resume to discard what it left and begin anew",
+            ));
+        }
         let differ = differences(&found, description);
+        let say = |one: &Difference| {
+            let Difference { path, there, here } = one;
+            format!("{path} is {there} there and {here} here")
+        };
         if !differ.is_empty() {
+            let differ: Vec<String> = differ.iter().map(say).collect();
+            let differ = differ.join(", ");
             return Err(refused(
                 asked,
                 format!("the partial file beside it is of another run: {differ}"),

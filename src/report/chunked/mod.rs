@@ -16,13 +16,14 @@ mod sidecar;
 pub use sidecar::{Origin, SIDECAR_SCHEMA, Sidecar};
 
 pub(super) use file::Chunked;
+pub(super) use sidecar::{check_free, document, recorded, save as save_sidecar, whole_description};
 
 use super::Layout;
 use super::encode::Encoder;
 use super::place::{Existing, existing};
 use crate::error::{Error, Result};
 use journal::Journal;
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -49,7 +50,7 @@ pub struct Chunk {
 }
 
 impl Chunk {
-    fn read(value: &Value) -> Option<Self> {
+    pub(super) fn read(value: &Value) -> Option<Self> {
         Some(Self {
             bytes: value.get("bytes")?.as_u64()?,
             sha256: value.get("sha256")?.as_str()?.to_owned(),
@@ -125,30 +126,4 @@ fn beside(file: &Path, ending: &str) -> PathBuf {
     name.push(file.file_name().unwrap_or_default());
     name.push(ending);
     file.with_file_name(name)
-}
-
-/// Where two descriptions differ, in words; nothing where they do not.
-fn differences(there: &Value, here: &Value) -> String {
-    let mut found = Vec::new();
-    differ("", there, here, &mut found);
-    found.join(", ")
-}
-
-fn differ(name: &str, there: &Value, here: &Value, found: &mut Vec<String>) {
-    let (Value::Object(left), Value::Object(right)) = (there, here) else {
-        if there != here {
-            found.push(format!("{name} is {there} there and {here} here"));
-        }
-        return;
-    };
-    let more = right.iter().filter(|(key, _)| !left.contains_key(*key));
-    for (key, _) in left.iter().chain(more) {
-        let of = |map: &Map<String, Value>| map.get(key).cloned().unwrap_or_default();
-        let name = if name.is_empty() {
-            key.clone()
-        } else {
-            format!("{name}.{key}")
-        };
-        differ(&name, &of(left), &of(right), found);
-    }
 }

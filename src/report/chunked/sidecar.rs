@@ -2,20 +2,23 @@
 
 use super::{Chunk, PARTIAL, beside};
 use crate::error::{Error, Result};
+use crate::report::aside::Aside;
 use crate::report::encode::Encoder;
-use crate::report::place::{Existing, existing, failed};
-use crate::report::{Element, Format, Layout};
+use crate::report::place::{Existing, existing, failed, refused as unwritable};
+use crate::report::{Element, Format, Layout, read_json};
 use serde_json::{Value, json};
 use std::ffi::OsString;
-use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Name and version of the form, which `docs/schemas/file-1.json` describes.
 pub const SIDECAR_SCHEMA: &str = "corput-file/1";
 
 /// The most that is read of a sidecar: of 2^16 chunks with some arguments.
-const MAX_BYTES: u64 = 64 << 20;
+pub(super) const MAX_BYTES: u64 = 64 << 20;
+
+const REMEDY: &str =
+    "give a file that has its FILE.json beside it, as `corput generate --out FILE` writes it";
 
 /// What made the data of a file; recorded beside it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,6 +27,20 @@ pub struct Origin {
     pub arguments: Value,
     /// Who made them; not compared.
     pub device: String,
+}
+
+impl Origin {
+    /// What made a file, by the FILE.json beside it.
+    ///
+    /// # Errors
+    /// [`Error::Document`] where there is none, or one of another form.
+    pub fn of(file: &Path) -> Result<Self> {
+        let value = recorded(file)?;
+        Ok(Self {
+            arguments: value["arguments"].clone(),
+            device: value["device"].as_str().unwrap_or_default().to_owned(),
+        })
+    }
 }
 
 impl From<Value> for Origin {
@@ -67,36 +84,38 @@ impl Sidecar {
         PathBuf::from(name)
     }
 
-    /// Reads the sidecar of a file.
+    /// Reads the sidecar of a file of rows.
     ///
     /// # Errors
     /// [`Error::Document`] where there is none, or one of another form.
     pub fn of(file: &Path) -> Result<Self> {
-        let path = Self::path_of(file);
-        let refused = |problem: String| Error::Document {
-            path: path.clone(),
-            problem,
-            remedy: "give a file that has its FILE.json beside it, as `corput generate --out FILE` writes it",
-        };
-        let length = std::fs::metadata(&path).map_err(|source| refused(source.to_string()))?;
-        if length.len() > MAX_BYTES {
-            return Err(refused(format!(
-                "it has {} bytes, and {MAX_BYTES} at most",
-                length.len()
-            )));
-        }
-        let bytes = std::fs::read(&path).map_err(|source| refused(source.to_string()))?;
-        let value: Value =
-            serde_json::from_slice(&bytes).map_err(|fault| refused(format!("no JSON: {fault}")))?;
-        if value["schema"] != SIDECAR_SCHEMA {
-            let problem = format!(
+        let value = recorded(file)?;
+        read(&value)
+            .map_err(|name| refused(file, format!("`{name}` is missing or of a wrong kind")))
+    }
+}
+
+fn refused(file: &Path, problem: String) -> Error {
+    Error::Document {
+        path: Sidecar::path_of(file),
+        problem,
+        remedy: REMEDY,
+    }
+}
+
+/// The document beside a file, whatever it describes.
+pub(in crate::report) fn recorded(file: &Path) -> Result<Value> {
+    let value = read_json(&Sidecar::path_of(file), MAX_BYTES, REMEDY)?;
+    if value["schema"] != SIDECAR_SCHEMA {
+        return Err(refused(
+            file,
+            format!(
                 "its schema is {}, not \"{SIDECAR_SCHEMA}\"",
                 value["schema"]
-            );
-            return Err(refused(problem));
-        }
-        read(&value).map_err(|name| refused(format!("`{name}` is missing or of a wrong kind")))
+            ),
+        ));
     }
+    Ok(value)
 }
 
 /// The fields, or the name of the first that is not as it must be.
@@ -144,8 +163,22 @@ fn read(value: &Value) -> Result<Sidecar, &'static str> {
     })
 }
 
-/// Whether a file of that name is there that no `generate` wrote, and none may replace.
-pub(super) fn is_of_others(path: &Path) -> bool {
+/// Refuses a name of a sidecar under which something is that `generate` may not replace.
+pub(in crate::report) fn check_free(sidecar: &Path) -> Result<()> {
+    if let Existing::Device = existing(sidecar)? {
+        let remedy = "give the output another name";
+        return Err(unwritable(sidecar, "it is no regular file", remedy));
+    }
+    if is_of_others(sidecar) {
+        let problem = "it is there, and no FILE.json of corput";
+        let remedy = "move it, or give the output another name";
+        return Err(unwritable(sidecar, problem, remedy));
+    }
+    Ok(())
+}
+
+/// Whether a file of that name is there that no `generate` wrote.
+fn is_of_others(path: &Path) -> bool {
     let Ok(found) = std::fs::metadata(path) else {
         return false;
     };
@@ -171,8 +204,27 @@ pub(super) fn description(origin: &Origin, encoder: &Encoder, chunk_rows: u64) -
     })
 }
 
+/// The same of a file that is made at once, of one chunk.
+pub(in crate::report) fn whole_description(
+    origin: &Origin,
+    format: &str,
+    shape: &[u32],
+    descr: &str,
+    rows: u32,
+) -> Value {
+    json!({
+        "arguments": origin.arguments,
+        "version": env!("CARGO_PKG_VERSION"),
+        "format": format,
+        "name": null,
+        "shape": shape,
+        "type": descr,
+        "chunk_rows": rows,
+    })
+}
+
 /// The sidecar of a finished file.
-pub(super) fn document(
+pub(in crate::report) fn document(
     mut description: Value,
     device: &str,
     bytes: u64,
@@ -189,21 +241,15 @@ pub(super) fn document(
 }
 
 /// Writes the sidecar of a file aside and then under its name, which it returns.
-pub(super) fn save(file: &Path, document: &[u8]) -> Result<PathBuf> {
+pub(in crate::report) fn save(file: &Path, document: &[u8]) -> Result<PathBuf> {
     let name = Sidecar::path_of(file);
     let io = |source| failed("write", &name, source);
     let Existing::File(name) = existing(&name)? else {
         return Err(io(io::Error::other("it is no regular file any more")));
     };
-    let aside = beside(&name, PARTIAL);
-    let written = File::create(&aside).and_then(|mut file| {
-        file.write_all(document)?;
-        file.sync_all()?;
-        fs::rename(&aside, &name)
-    });
-    written.map_err(|source| {
-        let _ = fs::remove_file(&aside);
-        failed("write", &name, source)
-    })?;
+    let io = |source| failed("write", &name, source);
+    let mut aside = Aside::create(beside(&name, PARTIAL), &name, name.clone()).map_err(io)?;
+    aside.fill(document)?;
+    aside.commit()?;
     Ok(name)
 }

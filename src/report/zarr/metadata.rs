@@ -1,12 +1,14 @@
 //! `zarr.json`: what an array is, in the words of Zarr v3.
 
 use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::Path;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::error::{Error, Result};
+use crate::report::difference::{Difference, differences};
+use crate::report::json::bounded;
 use crate::report::place::failed;
 use crate::report::{Element, Layout};
 
@@ -16,29 +18,36 @@ const CHUNK_BYTES: u64 = 1 << 24;
 /// Bytes of a document at most: a store's own have a few thousand.
 const DOCUMENT_BYTES: u64 = 1 << 20;
 
-/// Rows of a chunk: the largest power of two within 16 MiB, at least one. Only the number of
-/// columns counts, so that arrays of other lengths share their first chunks.
-pub(super) fn chunk_rows(columns: u32) -> u64 {
-    let rows = CHUNK_BYTES / (4 * u64::from(columns.max(1)));
-    1 << rows.max(1).ilog2()
+/// Every type, by its name in Zarr.
+const TYPES: [(Element, &str); 4] = [
+    (Element::F32, "float32"),
+    (Element::U32, "uint32"),
+    (Element::U16, "uint16"),
+    (Element::F64, "float64"),
+];
+
+/// Rows of a chunk: the largest power of two within 16 MiB, at least one. Only columns and type
+/// count, so that arrays of other lengths share their first chunks.
+pub(super) fn chunk_rows(layout: &Layout) -> u64 {
+    let row = layout.element.bytes() * u64::from(layout.columns.max(1));
+    1 << (CHUNK_BYTES / row).max(1).ilog2()
 }
 
 /// The document of an array; `origin` says what makes it.
 pub(super) fn document(layout: &Layout, origin: &Value) -> Value {
-    let (data_type, fill) = match layout.element {
-        Element::U32 => ("uint32", json!(0)),
-        Element::U16 => ("uint16", json!(0)),
-        Element::F32 => ("float32", json!(0.0)),
-        Element::F64 => ("float64", json!(0.0)),
+    let data_type = TYPES.iter().find(|(element, _)| *element == layout.element);
+    let fill = match layout.element {
+        Element::U32 | Element::U16 => json!(0),
+        Element::F32 | Element::F64 => json!(0.0),
     };
     json!({
         "zarr_format": 3,
         "node_type": "array",
         "shape": [layout.rows, layout.columns],
-        "data_type": data_type,
+        "data_type": data_type.map(|(_, name)| name),
         "chunk_grid": {
             "name": "regular",
-            "configuration": { "chunk_shape": [chunk_rows(layout.columns), layout.columns] },
+            "configuration": { "chunk_shape": [chunk_rows(layout), layout.columns] },
         },
         "chunk_key_encoding": { "name": "default", "configuration": { "separator": "/" } },
         "fill_value": fill,
@@ -54,10 +63,11 @@ pub(super) fn parse(document: &Value) -> Result<(Layout, Value), String> {
     let (Some(rows), Some(columns)) = (number(0), columns) else {
         return Err("its shape is not that of rows and columns".to_owned());
     };
-    let element = match document["data_type"].as_str() {
-        Some("uint32") => Element::U32,
-        Some("float32") => Element::F32,
-        _ => return Err("its data_type is neither uint32 nor float32".to_owned()),
+    let element = TYPES
+        .iter()
+        .find(|(_, name)| document["data_type"] == *name);
+    let Some(&(element, _)) = element else {
+        return Err("its data_type is none of float32, uint32, uint16 and float64".to_owned());
     };
     let layout = Layout {
         rows,
@@ -86,24 +96,9 @@ pub(super) fn difference(wanted: &Value, found: &Value) -> Option<String> {
     if let Some(attributes) = found.get_mut("attributes").and_then(Value::as_object_mut) {
         attributes.retain(|name, _| name == "corput");
     }
-    differing(wanted, &found, "")
-}
-
-fn differing(wanted: &Value, found: &Value, path: &str) -> Option<String> {
-    if let (Value::Object(wanted), Value::Object(found)) = (wanted, found) {
-        let null = Value::Null;
-        let member = |map: &Map<String, Value>, name: &String| map.get(name).cloned();
-        let names = wanted.keys().chain(found.keys());
-        return names.into_iter().find_map(|name| {
-            let path = match path {
-                "" => name.clone(),
-                path => format!("{path}.{name}"),
-            };
-            let wanted = member(wanted, name).unwrap_or(null.clone());
-            differing(&wanted, &member(found, name).unwrap_or(null.clone()), &path)
-        });
-    }
-    (wanted != found).then(|| format!("{path} is {found} there, and {wanted} is wanted"))
+    let first = differences(&found, wanted).into_iter().next()?;
+    let Difference { path, there, here } = first;
+    Some(format!("{path} is {there} there, and {here} is wanted"))
 }
 
 /// A JSON document of a store; `None` where there is no such file.
@@ -115,14 +110,10 @@ pub(super) fn read(path: &Path) -> Result<Option<Value>> {
         }
         Err(error) => return Err(failed("open", path, error)),
     };
-    let mut text = Vec::new();
-    file.take(DOCUMENT_BYTES)
-        .read_to_end(&mut text)
-        .map_err(|error| failed("read", path, error))?;
-    let parsed = serde_json::from_slice(&text);
-    parsed.map(Some).map_err(|error| Error::Document {
+    let parsed = bounded(file, DOCUMENT_BYTES);
+    parsed.map(Some).map_err(|problem| Error::Document {
         path: path.to_owned(),
-        problem: format!("it is no JSON document ({error})"),
+        problem,
         remedy: "remove it, and run again what made the store",
     })
 }

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! Any reader of Zarr v3 takes such a folder; those files under `corput` it does not look at.
-//! The chunk's shape follows from the number of columns alone. Every file is written aside and
+//! The chunk's shape follows from the number of columns and their type alone. Every file is written aside and
 //! renamed, so that nobody ever reads half of one, and each has the same bytes whoever writes
 //! it: work that was done twice, or was killed, does no harm.
 //!
@@ -28,10 +28,12 @@
 //! ```
 
 mod aside;
+mod compare;
 mod fault;
 mod metadata;
 mod survey;
 
+pub use compare::Comparison;
 pub use fault::Fault;
 pub use survey::Survey;
 
@@ -66,16 +68,9 @@ impl Store {
     ///
     /// [`Error::Output`] for a file of that name, or a folder that holds something else;
     /// [`Error::Document`] for a store of another array, which is named; [`Error::Arguments`]
-    /// for an impossible layout, or elements of other than 32 bits; [`Error::Io`] if it cannot be written.
+    /// for an impossible layout; [`Error::Io`] if it cannot be written.
     pub fn create(path: &Path, layout: Layout, origin: &Value) -> Result<Self> {
         layout.words()?;
-        if !matches!(layout.element, Element::F32 | Element::U32) {
-            return Err(Error::Arguments {
-                asked: format!("a Zarr store of {}", layout.element.name()),
-                limit: "its elements are f32 or u32".into(),
-                remedy: "drop --type, or write a file with --out p.npy".into(),
-            });
-        }
         let store = Self::new(path, layout, origin.clone());
         let wanted = metadata::document(&layout, origin);
         let name = path.join("zarr.json");
@@ -89,7 +84,8 @@ impl Store {
                 metadata::read(&name)?
             }
         };
-        match metadata::difference(&wanted, &found.unwrap_or_default()) {
+        let found = found.unwrap_or_default();
+        match metadata::difference(&wanted, &found) {
             None => {
                 create_folder(&store.records(), "--out")?;
                 Ok(store)
@@ -97,7 +93,15 @@ impl Store {
             Some(difference) => Err(Error::Document {
                 path: name,
                 problem: format!("the store is of another array: {difference}"),
-                remedy: "give the arguments that it was begun with, or another folder with --out",
+                remedy: match found["attributes"]["corput"]["version"] == origin["version"] {
+                    true => {
+                        "give the arguments that it was begun with, or another folder with --out"
+                    }
+                    false => {
+                        "fill it with the version of corput that it was begun with, or begin another folder \
+                         with --out"
+                    }
+                },
             }),
         }
     }
@@ -126,7 +130,7 @@ impl Store {
         Self {
             path: path.to_owned(),
             layout,
-            chunk_rows: metadata::chunk_rows(layout.columns),
+            chunk_rows: metadata::chunk_rows(&layout),
             array: hexadecimal(&Sha256::digest(description)),
             origin,
         }
@@ -142,6 +146,12 @@ impl Store {
     #[must_use]
     pub fn origin(&self) -> &Value {
         &self.origin
+    }
+
+    /// The folder.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Chunks of the array.
@@ -165,7 +175,7 @@ impl Store {
     }
 
     fn row_bytes(&self) -> u64 {
-        4 * u64::from(self.layout.columns)
+        self.layout.element.bytes() * u64::from(self.layout.columns)
     }
 
     /// Writes a chunk of the words of its rows, and then the record of its hash.
@@ -184,7 +194,7 @@ impl Store {
                 remedy: "write each chunk of the store whole".into(),
             });
         }
-        let mut bytes = little_endian(words);
+        let mut bytes = self.bytes(words);
         if (bytes.len() as u64) < self.chunk_bytes() {
             bytes.to_mut().resize(self.chunk_bytes() as usize, 0);
         }
@@ -202,6 +212,21 @@ impl Store {
         aside::save(&self.records(), &path, &bytes)?;
         let record = metadata::text(&record.document());
         aside::save(&self.records(), &self.record(chunk), &record)
+    }
+
+    /// Words as a chunk holds them.
+    fn bytes<'w>(&self, words: &'w [u32]) -> Cow<'w, [u8]> {
+        match self.layout.element {
+            // As they lie in memory.
+            Element::U32 | Element::F32 if cfg!(target_endian = "little") => {
+                Cow::Borrowed(bytemuck::cast_slice(words))
+            }
+            element => {
+                let mut bytes = Vec::with_capacity(self.chunk_bytes() as usize);
+                element.append(words, &mut bytes);
+                Cow::Owned(bytes)
+            }
+        }
     }
 
     /// Where the records lie, and what is not finished.
@@ -256,11 +281,4 @@ fn refuse_others(path: &Path) -> Result<()> {
             "give a folder that is not there yet, or is empty",
         )),
     }
-}
-
-fn little_endian(words: &[u32]) -> Cow<'_, [u8]> {
-    if cfg!(target_endian = "little") {
-        return Cow::Borrowed(bytemuck::cast_slice(words));
-    }
-    words.iter().flat_map(|word| word.to_le_bytes()).collect()
 }

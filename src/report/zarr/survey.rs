@@ -92,24 +92,14 @@ impl Store {
 
     /// The same, with the bytes of the chunk's rows handed on.
     fn compare(&self, chunk: u64, take: &mut dyn FnMut(&[u8])) -> Result<Option<Fault>> {
-        let path = self.chunk(chunk);
-        let mut file = match File::open(&path) {
+        let mut file = match self.file(chunk)? {
             Ok(file) => file,
-            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Some(Fault::Missing)),
-            Err(error) => return Err(failed("open", &path, error)),
+            Err(fault) => return Ok(Some(fault)),
         };
-        let record = metadata::read(&self.record(chunk)).ok().flatten();
-        let Some(record) = record.as_ref().and_then(Record::parse) else {
-            return Ok(Some(Fault::Unrecorded));
+        let recorded = match self.recorded(chunk) {
+            Ok(sha256) => sha256,
+            Err(fault) => return Ok(Some(fault)),
         };
-        if record.array != self.array {
-            return Ok(Some(Fault::Foreign));
-        }
-        let found = file.metadata().map(|found| found.len());
-        let found = found.map_err(|error| failed("read", &path, error))?;
-        if found != self.chunk_bytes() {
-            return Ok(Some(Fault::Length { found }));
-        }
         let rows = self.rows(chunk);
         let mut left = (rows.end - rows.start) * self.row_bytes();
         let mut hash = Sha256::new();
@@ -119,14 +109,40 @@ impl Store {
                 Ok(0) => break,
                 Ok(read) => read,
                 Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                Err(error) => return Err(failed("read", &path, error)),
+                Err(error) => return Err(failed("read", &self.chunk(chunk), error)),
             };
             hash.update(&block[..read]);
             let shown = left.min(read as u64);
             take(&block[..shown as usize]);
             left -= shown;
         }
-        let damaged = hexadecimal(&hash.finalize()) != record.sha256;
+        let damaged = hexadecimal(&hash.finalize()) != recorded;
         Ok(damaged.then_some(Fault::Damaged))
+    }
+    /// The file of a chunk, if it is there and as long as it must be.
+    pub(super) fn file(&self, chunk: u64) -> Result<Result<File, Fault>> {
+        let path = self.chunk(chunk);
+        let file = match File::open(&path) {
+            Ok(file) => file,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Err(Fault::Missing)),
+            Err(error) => return Err(failed("open", &path, error)),
+        };
+        let found = file.metadata().map(|found| found.len());
+        let found = found.map_err(|error| failed("read", &path, error))?;
+        if found != self.chunk_bytes() {
+            return Ok(Err(Fault::Length { found }));
+        }
+        Ok(Ok(file))
+    }
+
+    /// The SHA-256 that is recorded of a chunk, as part of this array.
+    pub(super) fn recorded(&self, chunk: u64) -> Result<String, Fault> {
+        let record = metadata::read(&self.record(chunk)).ok().flatten();
+        let record = record.as_ref().and_then(Record::parse);
+        let record = record.ok_or(Fault::Unrecorded)?;
+        if record.array != self.array {
+            return Err(Fault::Foreign);
+        }
+        Ok(record.sha256)
     }
 }

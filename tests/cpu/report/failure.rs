@@ -33,7 +33,12 @@ fn places_that_cannot_be_written_are_refused() {
         (inside("p.npy/"), "names a folder"),
         (inside(".."), "names a folder"),
         (PathBuf::new(), "names a folder"),
-        (inside(&"n".repeat(300)), "is not writable"),
+        (
+            inside(&"n".repeat(300)),
+            "its name has 300 bytes, what is written beside it 14 more, and any name 255 at most",
+        ),
+        (inside(&"n".repeat(242)), "give a name of at most 241 bytes"),
+        (inside(&"n/".repeat(3000)).join("p"), "give a shorter one"),
     ] {
         let message = refusal(&target, Format::Npy);
         assert!(message.contains(problem), "{message}");
@@ -41,9 +46,13 @@ fn places_that_cannot_be_written_are_refused() {
     assert!(refusal(&inside("p.raw"), Format::Raw).contains("p.raw.json: it names a folder"));
     assert_eq!(names(&folder), ["file", "folder", "p.raw.json"]);
     #[cfg(target_os = "linux")]
-    assert!(
-        refusal(Path::new("/proc/p.npy"), Format::Npy).contains("folder /proc is not writable")
-    );
+    assert!(refusal(Path::new("/proc/p.npy"), Format::Npy).contains(
+        "folder /proc is not writable: it takes no new files (No such file or directory"
+    ));
+    // The longest that it says can be written.
+    let longest = inside(&"n".repeat(241));
+    save(&longest, Format::Raw, layout(1, 1, Element::U32), &[&[7]]).unwrap();
+    assert!(longest.exists() && inside(&("n".repeat(241) + ".json")).exists());
 }
 
 #[test]

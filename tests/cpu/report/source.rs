@@ -38,22 +38,25 @@ fn compiled(element: Element, columns: u32, words: &[u32]) -> Vec<u64> {
         layout(rows, columns, element),
         words,
     );
+    // What is more than letters, digits and single underscores has a hash behind it.
+    let name = "points_my_data_1_55362a02";
     assert!(
-        text.contains(&format!("points_my_data_1[{rows}][{columns}] = {{")),
+        text.contains(&format!("{name}[{rows}][{columns}] = {{")),
         "{text}"
     );
     let main = "#include \"my data-1.h\"\n#include \"my data-1.h\"\n\
         #include <stdio.h>\n#include <string.h>\n\
         int main(void) {\n\
-            size_t size = sizeof points_my_data_1[0][0];\n\
-            const char *at = (const char *)points_my_data_1;\n\
-            for (size_t i = 0; i < sizeof points_my_data_1 / size; i++) {\n\
+            size_t size = sizeof NAME[0][0];\n\
+            const char *at = (const char *)NAME;\n\
+            for (size_t i = 0; i < sizeof NAME / size; i++) {\n\
                 unsigned long long bits = 0;\n\
                 memcpy(&bits, at + i * size, size);\n\
                 printf(\"%llu\\n\", bits);\n\
             }\n\
             return 0;\n\
-        }\n";
+        }\n"
+    .replace("NAME", name);
     fs::write(folder.path().join("main.c"), main).unwrap();
     let built = Command::new("cc")
         .current_dir(folder.path())
@@ -136,7 +139,7 @@ fn a_glsl_array_is_golden() {
     assert_eq!(
         text,
         "// uintBitsToFloat(points_p[2u * i + j]) is column j of row i.\n\
-         #ifndef POINTS_P\n#define POINTS_P\n\n\
+         #ifndef points_p_GLSL\n#define points_p_GLSL\n\n\
          const uint points_p[4] = uint[](\n\
          0x00000000u, 0x3f800000u,\n\
          0x3f000000u, 0xbf800000u\n\
@@ -150,6 +153,53 @@ fn a_glsl_array_is_golden() {
     );
     assert!(text.contains("// points_p[1u * i + j] is"), "{text}");
     assert!(text.contains("uint[](\n7u,\n4294967295u\n);"), "{text}");
+}
+
+/// All of them in one program: no array has the name of another, and no guard.
+#[test]
+fn arrays_of_files_of_one_folder_have_names_of_their_own() {
+    const FILES: [&str; 9] = ["a_b", "a-b", "a b", "A_b", "a__b", "_a_b", "a_b_", "-", "é"];
+    let folder = tempfile::tempdir().unwrap();
+    let (mut includes, mut names) = (String::new(), Vec::new());
+    for (value, stem) in (0..).zip(FILES) {
+        let file = format!("{stem}.h");
+        let text = write(&folder, &file, layout(1, 1, Element::U32), &[value]);
+        let (_, rest) = text.split_once("uint32_t ").unwrap();
+        names.push(rest.split_once('[').unwrap().0.to_owned());
+        includes += &format!("#include \"{file}\"\n");
+        let text = write(
+            &folder,
+            &format!("{stem}.glsl"),
+            layout(1, 1, Element::U32),
+            &[value],
+        );
+        let (_, rest) = text.split_once("const uint ").unwrap();
+        assert_eq!(rest.split_once('[').unwrap().0, names[value as usize]);
+        assert!(!text.contains("__"), "GLSL reserves it: {text}");
+    }
+    assert_eq!(names[0], "points_a_b");
+    let wrong: Vec<String> = (0..FILES.len())
+        .map(|at| format!("{}[0][0] != {at}", names[at]))
+        .collect();
+    let main = format!(
+        "{includes}int main(void) {{ return {}; }}\n",
+        wrong.join(" || ")
+    );
+    fs::write(folder.path().join("main.c"), main).unwrap();
+    let built = Command::new("cc")
+        .current_dir(folder.path())
+        .args([
+            "-std=c99", "-Wall", "-Wextra", "-Werror", "main.c", "-o", "main",
+        ])
+        .output()
+        .expect("a C compiler");
+    assert!(
+        built.status.success(),
+        "{}",
+        String::from_utf8_lossy(&built.stderr)
+    );
+    let ran = Command::new(folder.path().join("main")).status().unwrap();
+    assert!(ran.success());
 }
 
 #[test]

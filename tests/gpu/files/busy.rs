@@ -44,6 +44,26 @@ fn a_partial_of_other_arguments_is_refused_or_discarded() {
 }
 
 #[test]
+fn a_partial_of_another_version_says_what_to_do() {
+    let desk = Desk::new();
+    let line = format!("{SMALL} --device cpu --out p.npy");
+    drop(desk.start(&line, 3));
+    let journal = String::from_utf8(desk.bytes(".p.npy.partial.json")).unwrap();
+    let own = env!("CARGO_PKG_VERSION");
+    let said = format!("\"version\":\"{own}\"");
+    let older = journal.replace(&said, "\"version\":\"0.0.9\"");
+    assert_ne!(older, journal);
+    std::fs::write(desk.path(".p.npy.partial.json"), older).unwrap();
+    let words = [
+        "is of version \"0.0.9\" of corput, and this is",
+        "go on with that version, or drop --resume",
+    ];
+    desk.run(&format!("{line} --resume")).expect(2, &words);
+    assert_eq!(desk.names(), [".p.npy.partial", ".p.npy.partial.json"]);
+    desk.run(&line).expect(0, &[]);
+}
+
+#[test]
 fn a_finished_file_is_not_made_again() {
     let desk = Desk::new();
     let line = "generate halton --count 1000 --device cpu --out p.npy --resume";

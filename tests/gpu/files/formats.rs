@@ -118,10 +118,10 @@ fn text_of_every_kind_is_verified() {
     }
     let pipe = desk.run("generate halton --count 5 --device cpu --format c-header --out -");
     assert!(
-        pipe.stdout
+        pipe.text()
             .contains("static const float points_stdout[5][2]"),
         "{}",
-        pipe.stdout
+        pipe.text()
     );
 }
 

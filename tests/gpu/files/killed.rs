@@ -110,6 +110,45 @@ fn an_interrupted_run_keeps_its_chunks() {
     }
 }
 
+/// All of its points are made at once, and each waits for the disk.
+#[test]
+fn a_run_of_tiny_chunks_hears_the_signal() {
+    let desk = Desk::new();
+    let line = "generate vdc --count 60000 --chunk-rows 1 --device cpu --out p.npy";
+    let running = desk.start(line, 3);
+    running.signal("INT");
+    let said = running.end(line);
+    said.expect(
+        4,
+        &["interrupted after ", " of 60000 rows stay in", "--resume"],
+    );
+    let kept = desk.chunks();
+    assert!((3..60_000).contains(&kept), "{kept}");
+}
+
+/// On a terminal, of which a pipe is none.
+#[test]
+#[cfg(target_os = "linux")]
+fn the_check_of_what_is_there_is_shown() {
+    let desk = Desk::new();
+    let line =
+        "generate sobol --count 4000000 --dims 8 --chunk-rows 500000 --device cpu --out p.npy";
+    drop(desk.start(line, 4));
+    let mut command = std::process::Command::new("script");
+    command
+        .current_dir(desk.path(""))
+        .args(["-qec", &format!("\"$CORPUT\" {line} --resume"), "/dev/null"])
+        .env("CORPUT", env!("CARGO_BIN_EXE_corput"))
+        .env("TERM", "xterm")
+        .stdin(Stdio::null());
+    let Ok(output) = command.output() else {
+        eprintln!("SKIPPED: there is no `script` that makes a terminal");
+        return;
+    };
+    let run = super::Run::left(line, output);
+    run.tells(0, &["checking what is there: ", "MiB"]);
+}
+
 #[test]
 fn text_goes_on_too() {
     let desk = Desk::new();

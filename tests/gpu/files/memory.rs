@@ -1,4 +1,4 @@
-//! Peak memory does not grow with the file.
+//! Peak memory does not grow with the file, nor with what is wrong with it.
 
 use super::Desk;
 
@@ -10,6 +10,19 @@ fn peak(id: u32) -> Option<u64> {
     line.trim().strip_suffix(" kB")?.trim().parse().ok()
 }
 
+/// Runs a command that ends with this code, and returns its peak in bytes.
+#[cfg(target_os = "linux")]
+fn most(desk: &Desk, line: &str, code: i32) -> u64 {
+    let mut child = desk.command(line).spawn().unwrap();
+    let mut most = 0;
+    while child.try_wait().unwrap().is_none() {
+        most = most.max(peak(child.id()).unwrap_or(0));
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    assert_eq!(child.wait().unwrap().code(), Some(code), "{line}");
+    most * 1024
+}
+
 #[test]
 #[cfg(target_os = "linux")]
 fn a_large_file_takes_little_memory() {
@@ -18,18 +31,44 @@ fn a_large_file_takes_little_memory() {
     const LIMIT: u64 = 128 << 20;
     let desk = Desk::new();
     let line = "generate lattice --count 1048576 --dims 64 --device cpu --out p.npy";
-    let mut child = desk.command(line).spawn().unwrap();
-    let mut most = 0;
-    while child.try_wait().unwrap().is_none() {
-        most = most.max(peak(child.id()).unwrap_or(0));
-        std::thread::sleep(std::time::Duration::from_millis(2));
-    }
-    assert!(child.wait().unwrap().success());
+    let bytes = most(&desk, line, 0);
     let length = std::fs::metadata(desk.path("p.npy")).unwrap().len();
     assert_eq!(length, FILE + 4096);
-    let bytes = most * 1024;
     assert!(
         (1 << 20..LIMIT).contains(&bytes),
         "{bytes} bytes at the peak"
     );
+}
+
+/// A text file that has become one line of zeros, within its rows or behind them.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_damaged_file_takes_little_memory() {
+    const FILE: u64 = 512 << 20;
+    const LIMIT: u64 = 128 << 20;
+    let desk = Desk::new();
+    let line = "generate halton --count 1000 --device cpu --out p.csv";
+    desk.run(line).expect(0, &[]);
+    let whole = desk.bytes("p.csv");
+    let sidecar = String::from_utf8(desk.bytes("p.csv.json")).unwrap();
+    let said = format!("\"bytes\": {},\n  \"chunk", whole.len());
+    let longer = sidecar.replace(&said, &format!("\"bytes\": {FILE},\n  \"chunk"));
+    assert_ne!(longer, sidecar);
+    std::fs::write(desk.path("p.csv.json"), longer).unwrap();
+    for kept in [whole.len() - 9, whole.len()] {
+        std::fs::write(desk.path("p.csv"), &whole[..kept]).unwrap();
+        let file = std::fs::OpenOptions::new()
+            .write(true)
+            .open(desk.path("p.csv"));
+        // A hole, which takes no space.
+        file.unwrap().set_len(FILE).unwrap();
+        for (range, code) in [
+            ("", 1),
+            ("--range 999..1000", i32::from(kept < whole.len())),
+        ] {
+            let line = format!("verify p.csv --device cpu {range}");
+            let bytes = most(&desk, &line, code);
+            assert!(bytes < LIMIT, "`{line}`: {bytes} bytes at the peak");
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! Recorded arguments make the same points again: of every sequence, scramble and map.
 
 use super::Desk;
+use super::desk::repository;
 use corput::catalog::{Group, SEQUENCES, maps};
 use corput::check::examples;
 
@@ -10,7 +11,7 @@ fn round_trip(desk: &Desk, points: &str) {
     assert_eq!(run.code, Some(0), "`{points}`: {}", run.stderr);
     let run = desk.run("verify p.npy --device cpu");
     assert_eq!(run.code, Some(0), "`{points}`: {}", run.stderr);
-    assert!(run.stdout.contains("rows are equal"), "{}", run.stdout);
+    assert!(run.text().contains("rows are equal"), "{}", run.text());
 }
 
 #[test]
@@ -55,7 +56,7 @@ fn of_every_option() {
 #[test]
 fn of_every_map() {
     let desk = Desk::new();
-    let sky = super::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/sunrise.exr");
+    let sky = repository("tests/data/sunrise.exr");
     std::fs::copy(&sky, desk.path("sky.exr")).unwrap();
     let mut parameters = 0;
     for map in maps() {
@@ -76,14 +77,45 @@ fn of_every_map() {
         round_trip(&desk, &line);
     }
     assert!(parameters > 20, "only {parameters} parameters");
-    // The last was of an environment: another picture is no longer the origin.
-    desk.run("generate sobol --count 60 --map environment --env sky.exr --device cpu --out p.npy")
-        .expect(0, &[]);
-    let studio = sky.with_file_name("studio.exr");
+}
+
+/// The picture lies elsewhere than when the samples were made of it, or is another.
+#[test]
+fn pictures_are_found_and_held_to_their_hash() {
+    let desk = Desk::new();
+    let sky = repository("tests/data/sunrise.exr");
+    let studio = repository("tests/data/studio.exr");
+    let (sub, sub_sky) = (desk.path("sub"), desk.path("sub/sky.exr"));
+    std::fs::create_dir(&sub).unwrap();
+    std::fs::copy(&sky, desk.path("sky.exr")).unwrap();
+    let line = "generate sobol --count 60 --map environment --env sky.exr --device cpu --out";
+    for out in ["sub/p.npy", "sub/s.zarr"] {
+        desk.run(&format!("{line} {out}")).expect(0, &[]);
+    }
+    let verify = |options: &str, code: i32, words: &[&str]| {
+        for out in ["sub/p.npy", "sub/s.zarr"] {
+            desk.run(&format!("verify {out} --device cpu {options}"))
+                .expect(code, words);
+        }
+    };
+    verify("", 0, &[]);
+    // Another picture is no longer the origin.
     std::fs::copy(&studio, desk.path("sky.exr")).unwrap();
-    desk.run("verify p.npy --device cpu")
-        .expect(2, &["sky.exr", "SHA-256", "put that picture back"]);
+    let words = ["sky.exr", "SHA-256", "put that picture back", "--env"];
+    verify("", 2, &words);
+    // In the folder of the file, though another of that name is here.
+    std::fs::copy(&sky, &sub_sky).unwrap();
+    verify("", 0, &[]);
     std::fs::remove_file(desk.path("sky.exr")).unwrap();
-    desk.run("verify p.npy --device cpu")
-        .expect(2, &["sky.exr", "check the path"]);
+    verify("", 0, &[]);
+    std::fs::rename(&sub_sky, desk.path("else.exr")).unwrap();
+    verify("", 2, &["sky.exr", "check the path", "--env"]);
+    verify("--env else.exr", 0, &[]);
+    verify("--env none.exr", 2, &["none.exr", "cannot be read"]);
+    std::fs::copy(&studio, desk.path("else.exr")).unwrap();
+    verify("--env else.exr", 2, &["else.exr", "SHA-256"]);
+    desk.run("generate halton --count 5 --device cpu --out h.npy")
+        .expect(0, &[]);
+    desk.run("verify h.npy --device cpu --env else.exr")
+        .expect(2, &["no picture is recorded", "drop --env"]);
 }

@@ -15,14 +15,14 @@ fn damaged(break_it: impl FnOnce(&Desk), words: &[&str]) {
     let whole = desk.tree("s.zarr");
     break_it(&desk);
     let run = desk.run("merge s.zarr --shards 3");
-    run.expect(1, words);
-    run.expect(1, &["1 of 3 chunks are missing or not what they were"]);
-    assert!(!run.stdout.contains("sha256 "), "{}", run.stdout);
+    run.tells(1, words);
+    run.tells(1, &["1 of 3 chunks are missing or not what they were"]);
+    assert!(!run.text().contains("sha256 "), "{}", run.text());
     let record = desk.path("s.zarr/corput/array.json");
     assert!(!record.exists(), "it says that all chunks are there");
     // A reader that goes by the exit code, and one that goes by the document.
     let json = desk.run("merge s.zarr --json");
-    json.expect(1, &["\"complete\": false", "\"sha256\": null"]);
+    json.tells(1, &["\"complete\": false", "\"sha256\": null"]);
     // The same command makes that chunk and keeps the others.
     let again = desk.run(LINE);
     again.expect(0, &["2 of 3 chunks were there already, and whole"]);
@@ -104,7 +104,7 @@ fn what_was_left_goes_once_the_store_is_complete() {
     desk.say(&format!("{LINE} --shard 0/3"));
     let left = desk.path("s.zarr/corput/.0123456789abcdef.partial");
     fs::write(&left, "half").expect("written");
-    desk.run("merge s.zarr").expect(1, &["2 of 3 chunks"]);
+    desk.run("merge s.zarr").tells(1, &["2 of 3 chunks"]);
     // Another process may still be writing it.
     assert!(left.exists());
     desk.say(&format!("{LINE} --shard 1/3"));
@@ -119,13 +119,13 @@ fn runs_of_chunks_are_named_together() {
     let line = "generate vdc --count 4294967296 --device cpu --out s.zarr --shard 1023/1024";
     desk.say(line);
     let run: Run = desk.run("merge s.zarr --shards 8");
-    run.expect(
+    run.tells(
         1,
         &["chunks 0 to 1022 are missing: --shard 0/8 to 7/8 make them again"],
     );
-    run.expect(1, &["1 of 1024 chunks whole", "1023 of 1024"]);
+    run.tells(1, &["1 of 1024 chunks whole", "1023 of 1024"]);
     let run = desk.run("merge s.zarr");
-    run.expect(1, &["--shard 0/1024 to 1022/1024"]);
+    run.tells(1, &["--shard 0/1024 to 1022/1024"]);
 }
 
 #[test]
@@ -138,12 +138,12 @@ fn a_chunk_that_cannot_be_written_is_not_there() {
         .args(["-c", "trap '' XFSZ; ulimit -f 64; exec \"$0\" \"$@\""])
         .arg(env!("CARGO_BIN_EXE_corput"))
         .args(LINE.split_whitespace());
-    let run = Run::of(LINE, command.output().expect("sh runs"));
+    let run = Run::of(LINE, command);
     run.expect(4, &["cannot write s.zarr/c/0/0", "free space", "run again"]);
     let names: Vec<_> = desk.tree("s.zarr").into_keys().collect();
     assert_eq!(names, [std::path::Path::new("zarr.json")]);
     desk.run("merge s.zarr")
-        .expect(1, &["chunks 0 to 2 are missing"]);
+        .tells(1, &["chunks 0 to 2 are missing"]);
     desk.say(LINE);
     desk.merged("s.zarr");
 }

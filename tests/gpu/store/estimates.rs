@@ -20,7 +20,7 @@ const NUMBERS: [&str; 10] = [
 
 fn estimate(desk: &Desk, arguments: &str, name: &str) -> Value {
     let line = format!("estimate --json --device cpu {arguments}");
-    let text = desk.say(&line);
+    let text = desk.ask(&line);
     fs::write(desk.path(name), &text).expect("written");
     serde_json::from_str(&text).expect("JSON")
 }
@@ -100,7 +100,7 @@ fn a_device_adds_to_the_cpu() {
     let whole = estimate(&desk, points, "whole");
     estimate(&desk, &format!("{points} --shard 0/2"), "cpu");
     let line = format!("estimate --json {points} --shard 1/2 --device llvmpipe");
-    fs::write(desk.path("device"), desk.say(&line)).expect("written");
+    fs::write(desk.path("device"), desk.ask(&line)).expect("written");
     let both = merge(&desk, "device cpu", "both");
     for name in NUMBERS {
         assert_eq!(both[name], whole[name], "{name}");

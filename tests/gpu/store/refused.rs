@@ -43,6 +43,18 @@ fn a_shard_of_other_arguments() {
     let run = desk.run(&line("--count 2100000 --dims 2"));
     run.expect(2, &["data_type is \"uint32\" there"]);
     desk.run("merge s.zarr").expect(2, &["fill_value is 0.0"]);
+    let own = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    let older = text.replace(&own, "\"version\": \"0.0.9\"");
+    assert_ne!(older, text);
+    fs::write(&path, older).expect("written");
+    let run = desk.run(&line("--count 2100000 --dims 2"));
+    run.expect(
+        2,
+        &[
+            "version is \"0.0.9\" there",
+            "fill it with the version of corput",
+        ],
+    );
     fs::write(&path, "{ \"zarr_for").expect("written");
     let run = desk.run(&line("--count 2100000 --dims 2"));
     run.expect(2, &["it is no JSON document"]);
@@ -102,8 +114,8 @@ fn what_no_store_can_be() {
             ["it is a folder", "--out store.zarr"],
         ),
         (
-            "sobol --count 8 --out s.zarr --type u16",
-            ["a Zarr store of u16", "its elements are f32 or u32"],
+            "sobol --count 8 --out s.zarr --type u8",
+            ["unknown type `u8`", "f32, u32, u16, f64"],
         ),
         (
             "sobol --count 8 --out s.zarr --chunk-rows 4",

@@ -88,7 +88,7 @@ impl Worker {
 
     fn end(mut self, line: &str) -> Run {
         let child = self.0.take().expect("it runs");
-        Run::of(line, child.wait_with_output().expect("it ends"))
+        Run::left(line, child.wait_with_output().expect("it ends"))
     }
 }
 
@@ -118,8 +118,8 @@ fn a_killed_worker_is_started_again() {
     );
     other.end(&shard(1)).expect(0, &[]);
     let lacking = desk.run("merge s.zarr --shards 2");
-    lacking.expect(1, &["--shard 0/2 makes", "chunk"]);
-    assert!(!lacking.stdout.contains("1/2"), "{}", lacking.stdout);
+    lacking.tells(1, &["--shard 0/2 makes", "chunk"]);
+    assert!(!lacking.text().contains("1/2"), "{}", lacking.text());
     desk.say(&shard(0));
     let hash = desk.merged("s.zarr");
     assert_eq!(hash, raw_hash(&desk, line));

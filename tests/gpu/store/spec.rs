@@ -1,13 +1,12 @@
 //! Stores against the specification of Zarr v3, by a reader of it that is written here, and by
 //! zarr-python.
 
+use super::python::python;
 use super::{Desk, raw_hash};
 use serde_json::{Value, json};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::path::Path;
+use std::process::Command;
 
 /// The bytes of a two-dimensional array in C order, as the specification reads them: keys by
 /// the default encoding, chunks of a regular grid, those that overhang cropped, a missing one
@@ -31,11 +30,16 @@ fn read(store: &Path) -> Vec<u8> {
     };
     let shape = pair(&meta["shape"]);
     let chunk = pair(&meta["chunk_grid"]["configuration"]["chunk_shape"]);
+    let float = || meta["fill_value"].as_f64().expect("a float");
+    let integer = || meta["fill_value"].as_u64().expect("an integer");
     let fill = match meta["data_type"].as_str() {
-        Some("float32") => (meta["fill_value"].as_f64().expect("a float") as f32).to_le_bytes(),
-        Some("uint32") => (meta["fill_value"].as_u64().expect("an integer") as u32).to_le_bytes(),
+        Some("float32") => (float() as f32).to_le_bytes().to_vec(),
+        Some("float64") => float().to_le_bytes().to_vec(),
+        Some("uint32") => (integer() as u32).to_le_bytes().to_vec(),
+        Some("uint16") => (integer() as u16).to_le_bytes().to_vec(),
         other => panic!("data type {other:?}"),
     };
+    let size = fill.len();
     let mut array = Vec::new();
     for row in 0..shape[0] {
         assert_eq!(shape[1], chunk[1], "one chunk across");
@@ -44,32 +48,53 @@ fn read(store: &Path) -> Vec<u8> {
             let path = store.join(format!("c/{index}/0"));
             let bytes = fs::read(path).unwrap_or_else(|_| fill.repeat(chunk[0] * chunk[1]));
             // Every chunk has the whole shape.
-            assert_eq!(bytes.len(), 4 * chunk[0] * chunk[1], "chunk {index}");
+            assert_eq!(bytes.len(), size * chunk[0] * chunk[1], "chunk {index}");
             let rows = chunk[0].min(shape[0] - row);
-            let (inside, padding) = bytes.split_at(4 * rows * shape[1]);
+            let (inside, padding) = bytes.split_at(size * rows * shape[1]);
             array.extend_from_slice(inside);
-            assert!(padding.chunks(4).all(|word| word == fill), "padding");
+            assert!(padding.chunks(size).all(|word| word == fill), "padding");
         }
     }
     array
 }
 
-/// Requests whose last chunk overhangs, and the rows of a chunk.
-const CASES: [(&str, u64); 3] = [
+/// Requests whose last chunk overhangs, the rows of a chunk, and the type.
+const CASES: [(&str, u64, &str); 6] = [
     (
         "halton --count 1000 --dims 3 --fractions --device cpu",
         1 << 20,
+        "uint32",
     ),
-    ("sobol --count 2097153 --dims 2 --device cpu", 1 << 21),
+    (
+        "sobol --count 2097153 --dims 2 --device cpu",
+        1 << 21,
+        "float32",
+    ),
     (
         "sobol --count 300 --dims 20000 --scramble owen-hash --seed 7 --device cpu",
         128,
+        "float32",
+    ),
+    (
+        "sobol --count 4194305 --dims 2 --type u16 --device cpu",
+        1 << 22,
+        "uint16",
+    ),
+    (
+        "sobol --count 1048577 --dims 2 --type f64 --device cpu",
+        1 << 20,
+        "float64",
+    ),
+    (
+        "halton --count 1000 --dims 3 --first 9 --type f64 --device cpu",
+        1 << 19,
+        "float64",
     ),
 ];
 
 #[test]
 fn the_chunks_are_the_points() {
-    for (arguments, rows) in CASES {
+    for (arguments, rows, _) in CASES {
         let desk = Desk::new();
         desk.say(&format!("generate {arguments} --out a.zarr"));
         let text = fs::read(desk.path("a.zarr/zarr.json")).expect("metadata");
@@ -79,6 +104,8 @@ fn the_chunks_are_the_points() {
         let raw = fs::read(desk.path("points.raw")).expect("a raw file");
         assert!(read(&desk.path("a.zarr")) == raw, "{arguments}");
         assert_eq!(desk.merged("a.zarr"), hash, "{arguments}");
+        let said = desk.say("verify a.zarr --device cpu");
+        assert!(said.ends_with(&format!("SHA-256 {hash}\n")), "{said}");
     }
 }
 
@@ -91,7 +118,7 @@ fn the_attributes_say_how_to_make_it_again() {
          --format zarr --out e",
         picture.display()
     );
-    desk.say(&line);
+    desk.ask(&line);
     let text = fs::read(desk.path("e/zarr.json")).expect("metadata");
     let meta: Value = serde_json::from_slice(&text).expect("JSON");
     let origin = &meta["attributes"]["corput"];
@@ -114,7 +141,8 @@ fn the_attributes_say_how_to_make_it_again() {
 
 #[test]
 fn zarr_python_reads_the_same() {
-    let Some(python) = zarr_python() else {
+    let check = "import zarr; assert zarr.__version__ >= '3'";
+    let Some(python) = python("zarr-python", &["zarr==3.*"], check) else {
         eprintln!("SKIPPED: zarr-python could not be installed; the reader above stands alone");
         return;
     };
@@ -122,7 +150,7 @@ fn zarr_python_reads_the_same() {
                   a = zarr.open_array(sys.argv[1], mode='r+')\n\
                   a.attrs['note'] = 'mine'\n\
                   print(a.shape, a.dtype, a.chunks, hashlib.sha256(a[:].tobytes()).hexdigest())";
-    for (arguments, rows) in CASES {
+    for (arguments, rows, kind) in CASES {
         let desk = Desk::new();
         desk.say(&format!("generate {arguments} --out a.zarr"));
         let run = Command::new(&python)
@@ -132,11 +160,6 @@ fn zarr_python_reads_the_same() {
             .expect("python runs");
         let said = String::from_utf8_lossy(&run.stdout).into_owned();
         let hash = raw_hash(&desk, arguments);
-        let kind = if arguments.contains("--fractions") {
-            "uint32"
-        } else {
-            "float32"
-        };
         assert!(
             said.contains(&hash) && said.contains(kind) && said.contains(&format!("({rows}, ")),
             "{said}{}",
@@ -145,41 +168,4 @@ fn zarr_python_reads_the_same() {
         // An attribute of others changes nothing.
         desk.run("merge a.zarr").expect(0, &[]);
     }
-}
-
-/// A Python that has zarr: one made before, or made now within a minute.
-fn zarr_python() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("zarr-python");
-    let python = folder.join("bin/python");
-    let script = ["-c", "import zarr; assert zarr.__version__ >= '3'"];
-    let quietly = |command: &mut Command| within_a_minute(command.stderr(Stdio::null()));
-    if python.exists() && quietly(Command::new(&python).args(script)) {
-        return Some(python);
-    }
-    let made = quietly(Command::new("python3").args(["-m", "venv"]).arg(&folder))
-        && quietly(
-            Command::new(&python)
-                .args(["-m", "pip", "install", "--quiet", "--retries", "0"])
-                .args(["--disable-pip-version-check", "zarr==3.*"]),
-        )
-        && quietly(Command::new(&python).args(script));
-    made.then_some(python)
-}
-
-/// Whether a command succeeds; it is ended where it takes too long.
-fn within_a_minute(command: &mut Command) -> bool {
-    let Ok(mut child) = command.stdin(Stdio::null()).stdout(Stdio::null()).spawn() else {
-        return false;
-    };
-    let begun = Instant::now();
-    while begun.elapsed() < Duration::from_secs(60) {
-        match child.try_wait() {
-            Ok(Some(status)) => return status.success(),
-            Ok(None) => sleep(Duration::from_millis(50)),
-            Err(_) => break,
-        }
-    }
-    let _ = child.kill();
-    let _ = child.wait();
-    false
 }
