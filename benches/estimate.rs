@@ -5,13 +5,17 @@
 //! lanes that `sample_4d` makes at once, each the x of a sequence of its own. The device
 //! adds x^2 and x^4 exactly, the cores in `f64`. Wall time on both sides, with another seed in
 //! each round, after a round of both that is not counted.
+//!
+//! Then what a study's replicates cost beside their time on the device: wall time of 32 that
+//! `Estimator::run_each` sums, over the sum of their times by the device's clock, less one.
 
 use corput::bulk;
-use corput::catalog::{Options, Problem, Request, Scramble, Sequence};
+use corput::catalog::{Options, Problem, Request, Sampler, Scramble, Sequence};
 use corput::kernels::Estimator;
 use corput::vulkan::{Device, Instance, InstanceOptions, select};
 use sobol_burley::sample_4d;
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Samples of a round.
@@ -19,6 +23,9 @@ const SAMPLES: u32 = 1 << 26;
 
 /// Rounds; medians are reported.
 const ROUNDS: u32 = 9;
+
+/// Replicates whose overhead is measured.
+const REPLICATES: u64 = 32;
 
 /// The longest sequence that the crate has.
 const LENGTH: u32 = 1 << 16;
@@ -63,7 +70,51 @@ fn main() -> corput::Result<()> {
         rate(theirs)
     );
     println!("ratio                       {:.2}", median(ratios));
+
+    println!(
+        "\nms of a replicate by the device's clock, and what the host adds, at 2^20, 2^21, 2^22"
+    );
+    for integrand in ["x-squared", "disk-step", "genz-gaussian:d=8"] {
+        for sampler in ["random", "sobol:owen-hash"] {
+            let rows = [20, 21, 22].map(|log| overhead(&device, integrand, sampler, 1 << log));
+            print!("{integrand:18} {sampler:16}");
+            for row in rows {
+                let (device_ms, share) = row?;
+                print!("  {device_ms:6.2} {:4.1} %", 1e2 * share);
+            }
+            println!();
+        }
+    }
     Ok(())
+}
+
+/// Milliseconds of a replicate on the device, and the host's part of its: medians of rounds.
+fn overhead(
+    device: &Arc<Device>,
+    integrand: &str,
+    sampler: &str,
+    count: u64,
+) -> corput::Result<(f64, f64)> {
+    let problem = Problem::parse(integrand)?;
+    let sampler = Sampler::parse(sampler)?;
+    let request = |seed| sampler.request(problem.dimensions(), count, seed);
+    let requests = (0..REPLICATES)
+        .map(request)
+        .collect::<corput::Result<Vec<_>>>()?;
+    let mut estimator = Estimator::new(device, &problem, &request(0)?)?;
+    let (mut times, mut shares) = (Vec::new(), Vec::new());
+    for round in 0..=ROUNDS {
+        let begun = Instant::now();
+        let sums = estimator.run_each(&requests, &mut |_| Ok(()))?;
+        let wall_ns = begun.elapsed().as_nanos() as f64;
+        let clock: Option<f64> = sums.iter().map(|(_, timing)| timing.device_ns).sum();
+        let clock = clock.expect("a device with timestamps");
+        if round > 0 {
+            times.push(clock / REPLICATES as f64 / 1e6);
+            shares.push(wall_ns / clock - 1.0);
+        }
+    }
+    Ok((median(times), median(shares)))
 }
 
 fn request(seed: u64) -> corput::Result<Request> {

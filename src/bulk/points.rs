@@ -5,6 +5,7 @@ use super::column::Prepared;
 use super::rows::{TOGETHER, interleave};
 use crate::catalog::Output;
 use crate::interface::Column;
+use fearless_simd::{Level, dispatch};
 
 /// Points of a batch at most: a power of two. Of up to ten columns the words stay in a
 /// first-level cache of 32 KiB, of more in the second.
@@ -28,6 +29,8 @@ pub struct Points {
     width: usize,
     /// A shorter way to rows, where there is one.
     net: Option<Net>,
+    /// The vectors that this CPU has, for which the compiler makes each loop once.
+    level: Level,
 }
 
 /// What makes one column, or several.
@@ -63,7 +66,15 @@ impl Points {
                 .map(|group| sources(group, count, width, output))
                 .collect(),
             width,
+            level: Level::new(),
         }
+    }
+
+    /// The same by the vectors of another level, which the CPU has.
+    #[cfg(test)]
+    fn by(mut self, level: Level) -> Self {
+        self.level = level;
+        self
     }
 
     /// Writes the rows of consecutive points from index n on, which do not go past 2^32.
@@ -75,7 +86,7 @@ impl Points {
         let stretches = words.chunks_mut(stretch * self.width);
         for (n, words) in (n..).step_by(stretch).zip(stretches) {
             words.fill(0);
-            net.fill(n, words);
+            dispatch!(self.level, _ => net.fill(n, words));
         }
     }
 
@@ -89,7 +100,7 @@ impl Points {
                 words[cleared..next].fill(0);
                 cleared = next;
             }
-            interleave(batch, self.width, &mut words[start..end]);
+            dispatch!(self.level, _ => interleave(batch, self.width, &mut words[start..end]));
         });
     }
 
@@ -110,7 +121,7 @@ impl Points {
             // Batches begin where blocks of 2^k do.
             let rows = (ROWS - index as usize % ROWS).min(count - start);
             for (first, group) in (0..).step_by(TOGETHER).zip(&self.groups) {
-                fill(group, index, rows, words);
+                dispatch!(self.level, _ => fill(group, index, rows, words));
                 take(&Batch {
                     start,
                     rows,
@@ -139,6 +150,7 @@ fn sources(columns: &[Column], count: u64, width: usize, output: Output) -> Vec<
 }
 
 /// Writes `rows` words of each column.
+#[inline(always)]
 fn fill(sources: &[Source], n: u64, rows: usize, words: &mut [u32]) {
     let mut columns = words;
     for source in sources {
@@ -156,6 +168,83 @@ impl Source {
         match self {
             Self::Column(_) => 1,
             Self::Philox(philox) => philox.width(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interface::{DigitScramble, Generator, NetScramble};
+
+    /// The levels of this CPU.
+    fn levels() -> Vec<Level> {
+        let best = Level::new();
+        let mut levels = vec![Level::baseline(), best];
+        #[cfg(target_arch = "x86_64")]
+        {
+            levels.extend(best.as_sse4_2().map(Level::Sse4_2));
+            levels.extend(best.as_avx2().map(Level::Avx2));
+        }
+        levels
+    }
+
+    #[test]
+    fn words_do_not_depend_on_the_vectors() {
+        let seed = [3, 4];
+        let net = |scramble| Column::Sobol {
+            dimension: 3,
+            gray: false,
+            scramble,
+            seed,
+        };
+        let random = |generator, dimension| Column::Random {
+            generator,
+            dimension,
+            dimensions: 4,
+            seed,
+        };
+        let digits = |scramble| Column::Digits {
+            base: 3,
+            scramble,
+            seed: 3,
+        };
+        let columns = [
+            Column::Reversed,
+            Column::Radical(5),
+            Column::Grid(1 << 32),
+            digits(DigitScramble::Permuted),
+            digits(DigitScramble::Faure),
+            net(NetScramble::Matrix),
+            net(NetScramble::OwenHash),
+            random(Generator::Pcg4d, 2),
+            random(Generator::Pcg32, 1),
+            random(Generator::Philox, 0),
+            random(Generator::Philox, 1),
+        ];
+        let nets = [net(NetScramble::Shift), Column::Reversed];
+        for columns in [&columns[..], &columns[..2], &nets[..]] {
+            for output in [Output::Floats, Output::Fractions] {
+                let single: Vec<Prepared> = columns.iter().map(Prepared::new).collect();
+                let word = |n: u32, column: &Prepared| {
+                    let u = column.fraction(n);
+                    match output {
+                        Output::Fractions => u,
+                        Output::Floats => column.unit(u).to_bits(),
+                    }
+                };
+                let (first, count) = (1_000_003u32, 3_001);
+                let numbers = first..first + count;
+                let wanted: Vec<u32> = numbers
+                    .flat_map(|n| single.iter().map(move |column| word(n, column)))
+                    .collect();
+                for level in levels() {
+                    let points = Points::new(columns, 1 << 32, output).by(level);
+                    let mut made = vec![0; wanted.len()];
+                    points.fill(first.into(), &mut made);
+                    assert!(made == wanted, "{level:?}, {columns:?}");
+                }
+            }
         }
     }
 }

@@ -10,6 +10,7 @@ pub const TOGETHER: usize = 64;
 const STRIP: usize = 64;
 
 /// Writes a batch into its place in rows of `width` words.
+#[inline(always)]
 pub fn interleave(batch: &Batch, width: usize, rows: &mut [u32]) {
     match width {
         // With the width known, loads and stores are wide.

@@ -51,6 +51,30 @@ impl Estimate {
         }
     }
 
+    /// From up to 2^32 times the words of [`Self::from_words`], added up word by word: what merging
+    /// their estimates gives, sooner. That of no sum which a merge would refuse.
+    #[must_use]
+    pub fn from_word_sums(count: u64, scale: i32, total: [u64; 4], squares: [u64; 6]) -> Self {
+        // Two's complement adds up modulo 2^128, and the sum itself has room in that.
+        let sum = (total.into_iter().zip([0, 32, 64, 96])).fold(0u128, |sum, (word, place)| {
+            sum.wrapping_add(u128::from(word) << place)
+        });
+        let mut parts = [0; 4];
+        let mut carry = 0u128;
+        let (pairs, _) = squares.as_chunks::<2>();
+        for (part, [low, high]) in parts.iter_mut().zip(pairs.iter().chain([&[0, 0]])) {
+            carry += u128::from(*low) + (u128::from(*high) << 32);
+            *part = carry as u64;
+            carry >>= 64;
+        }
+        Self {
+            count,
+            scale,
+            sum: sum as i128,
+            squares: U256::new(parts),
+        }
+    }
+
     /// From sums that were written down; `None` where no terms have them: more than 2^62 of them,
     /// sums of none, squares below what Cauchy and Schwarz allow, or a scale beyond 4,096.
     #[must_use]

@@ -24,23 +24,37 @@ pub(super) const RECORD: u64 = 48;
 /// The sums of so many invocations, of terms in units of 2^-scale.
 pub(super) fn read(results: &mut Buffer, invocations: u64, scale: i32) -> Result<Vec<Estimate>> {
     results.read(0, RECORD * invocations, |bytes| {
-        records(bytes, scale).collect()
+        let estimate = |[a, b, c, d, e, f, g, h, i, j, count, _]: [u32; WORDS]| {
+            Estimate::from_words(count, scale, [a, b, c, d], [e, f, g, h, i, j])
+        };
+        records(bytes).map(estimate).collect()
     })
 }
 
-/// All of them together.
+/// All of them together: of thousands, by sums of each word, which vectors make.
 pub(super) fn total(results: &mut Buffer, invocations: u64, scale: i32) -> Result<Estimate> {
-    results.read(0, RECORD * invocations, |bytes| {
-        records(bytes, scale).try_fold(Estimate::new(scale), Estimate::merged)
-    })?
+    let words = results.read(0, RECORD * invocations, |bytes| {
+        let mut sums = [0u64; WORDS];
+        for record in records(bytes) {
+            for (sum, word) in sums.iter_mut().zip(record) {
+                *sum += u64::from(word);
+            }
+        }
+        sums
+    })?;
+    let [a, b, c, d, e, f, g, h, i, j, count, _] = words;
+    let all = Estimate::from_word_sums(count, scale, [a, b, c, d], [e, f, g, h, i, j]);
+    // A sum of too many terms is refused as a merge is.
+    Estimate::new(scale).merged(all)
 }
 
-fn records(bytes: &[u8], scale: i32) -> impl Iterator<Item = Estimate> {
-    bytes.chunks_exact(RECORD as usize).map(move |record| {
-        let [a, b, c, d, e, f, g, h, i, j, count, _]: [u32; 12] =
-            bytemuck::pod_read_unaligned(record);
-        Estimate::from_words(count, scale, [a, b, c, d], [e, f, g, h, i, j])
-    })
+/// Words of a record, of which the last is none.
+const WORDS: usize = RECORD as usize / 4;
+
+fn records(bytes: &[u8]) -> impl Iterator<Item = [u32; WORDS]> {
+    bytes
+        .chunks_exact(RECORD as usize)
+        .map(bytemuck::pod_read_unaligned)
 }
 
 /// Points of the next dispatch, after one of these took so long.

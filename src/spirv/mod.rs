@@ -16,6 +16,7 @@ mod decorate;
 mod facts;
 mod instruction;
 mod lint;
+mod names;
 mod parse;
 mod policy;
 mod prune;
@@ -25,6 +26,7 @@ pub use decorate::{decorate_no_contraction, is_float_arithmetic, remove_no_contr
 pub use facts::{ModuleFacts, describe};
 pub use instruction::Instruction;
 pub use lint::{LintReport, Tier, Violation, lint};
+pub use names::drop_local_names;
 pub use parse::{Decorated, EntryPoint, Function, Module};
 pub use policy::{Allowance, AllowanceKind, Policy, exact_policy, native_policy};
 pub use prune::prune;

@@ -11,6 +11,7 @@ use super::host::{c_header, rust_module};
 use super::program::{Options, Parameters, Program, Table, program};
 use super::{About, Shader, Translations, translate};
 use crate::scene::{Needs, Scene};
+use crate::spirv::drop_local_names;
 use crate::{Error, Result};
 
 /// A file of a bundle.
@@ -85,7 +86,11 @@ pub fn bundle(
     };
     let made = program(name, needs, options)?;
     let flat = made.flat(false)?;
-    let mut spirv = made.spirv(&flat.text)?;
+    let spirv = made.spirv(&flat.text)?;
+    let mut spirv = drop_local_names(&spirv).map_err(|problem| Error::Shader {
+        shader: name.clone(),
+        problem: problem.to_string(),
+    })?;
     let mut optimised = None;
     if asked.spirv_opt {
         let bytes_before = 4 * spirv.len();

@@ -113,7 +113,8 @@ impl Device {
                 // pipeline, and all of it lives until the submission has ended.
                 unsafe {
                     if span > 0 {
-                        barrier(self, commands);
+                        // All stages, so that a timestamp too waits for what was before.
+                        barrier_before(self, commands, vk::PipelineStageFlags::ALL_COMMANDS);
                     }
                     lane.stamp(self.raw(), commands, span, Edge::Begin);
                     if let Some(counts) = counts {
@@ -170,7 +171,24 @@ pub unsafe fn record(
 /// `commands` is a command buffer of this device in the recording state, outside
 /// a render pass, of a family that can compute.
 pub unsafe fn barrier(device: &Device, commands: vk::CommandBuffer) {
-    let work = vk::PipelineStageFlags::COMPUTE_SHADER | vk::PipelineStageFlags::TRANSFER;
+    // SAFETY: the caller vouches for `commands`.
+    unsafe { barrier_before(device, commands, WORK) }
+}
+
+/// What compute queues do.
+const WORK: vk::PipelineStageFlags = vk::PipelineStageFlags::from_raw(
+    vk::PipelineStageFlags::COMPUTE_SHADER.as_raw() | vk::PipelineStageFlags::TRANSFER.as_raw(),
+);
+
+/// The same, for which these stages wait, and the host.
+///
+/// # Safety
+/// As for [`barrier`], and the stages are of a queue that can compute.
+unsafe fn barrier_before(
+    device: &Device,
+    commands: vk::CommandBuffer,
+    next: vk::PipelineStageFlags,
+) {
     let writes = vk::AccessFlags::SHADER_WRITE | vk::AccessFlags::TRANSFER_WRITE;
     let all = writes
         | vk::AccessFlags::SHADER_READ
@@ -185,8 +203,8 @@ pub unsafe fn barrier(device: &Device, commands: vk::CommandBuffer) {
     unsafe {
         device.raw().cmd_pipeline_barrier(
             commands,
-            work,
-            work | vk::PipelineStageFlags::HOST,
+            WORK,
+            next | vk::PipelineStageFlags::HOST,
             vk::DependencyFlags::empty(),
             &memory,
             &[],

@@ -94,8 +94,9 @@ impl Lane {
     /// Reads the clock before or after dispatch number `span`, where there is one.
     ///
     /// # Safety
-    /// `commands` is the lane's, recording, and `span` is one of those that the submission
-    /// was said to have.
+    /// `commands` is the lane's, recording, `span` is one of those that the submission
+    /// was said to have, and before the beginning of any but the first stands a
+    /// barrier of all stages.
     pub(super) unsafe fn stamp(
         &self,
         raw: &ash::Device,
@@ -103,9 +104,13 @@ impl Lane {
         span: usize,
         end: Edge,
     ) {
-        // Once all that was recorded before has ended: the top of the pipe would not wait for
-        // the span before.
-        let stage = vk::PipelineStageFlags::BOTTOM_OF_PIPE;
+        // Once all that was recorded before has ended. A barrier of all stages before a span's
+        // beginning sees to that too, and then the top of the pipe saves llvmpipe a flush, which
+        // is most of what lies between two short dispatches.
+        let stage = match (end, span) {
+            (Edge::Begin, 1..) => vk::PipelineStageFlags::TOP_OF_PIPE,
+            _ => vk::PipelineStageFlags::BOTTOM_OF_PIPE,
+        };
         let query = 2 * span as u32 + end as u32;
         if self.queries != vk::QueryPool::null() {
             // SAFETY: the caller's, and the queries were reset in these commands.

@@ -340,6 +340,57 @@ fn a_wave_of_as_many_periods_as_points_needs_a_scramble() {
     }
 }
 
+/// Records of sums, with words at their ends.
+fn records() -> Vec<(u32, [u32; 4], [u32; 6])> {
+    let word = |n: u32| match n % 5 {
+        0 => u32::MAX,
+        1 => 0,
+        _ => mix(n),
+    };
+    let record = |n: u32| {
+        // Sums keep to 2^120 or so, of either sign, as those of a dispatch do.
+        let high = [0, u32::MAX, mix(n) >> 8, !(mix(n) >> 8)][n as usize % 4];
+        let total = [word(8 * n), word(8 * n + 1), word(8 * n + 2), high];
+        let squares = std::array::from_fn(|k| word(8 * n + 2 + k as u32) >> (k / 5 * 8));
+        (word(n), total, squares)
+    };
+    (0..5_000).map(record).collect()
+}
+
+#[test]
+fn sums_of_words_are_merged_estimates() {
+    for take in [0, 1, 2, 63, 5_000] {
+        let some = &records()[..take];
+        let merged = some
+            .iter()
+            .fold(Estimate::new(7), |sum, (count, total, squares)| {
+                let one = Estimate::from_words(*count, 7, *total, *squares);
+                sum.merge(one).expect("no sum overflows")
+            });
+        let (mut count, mut total, mut squares) = (0, [0; 4], [0; 6]);
+        for (more, words, others) in some {
+            count += u64::from(*more);
+            total
+                .iter_mut()
+                .zip(words)
+                .for_each(|(sum, word)| *sum += u64::from(*word));
+            squares
+                .iter_mut()
+                .zip(others)
+                .for_each(|(sum, word)| *sum += u64::from(*word));
+        }
+        assert_eq!(
+            Estimate::from_word_sums(count, 7, total, squares),
+            merged,
+            "{take}"
+        );
+        if take > 0 {
+            total[3] += 1;
+            assert_ne!(Estimate::from_word_sums(count, 7, total, squares), merged);
+        }
+    }
+}
+
 #[test]
 fn estimates_merge_in_any_grouping() {
     let problem = problem("genz-oscillatory:d=3");

@@ -3,6 +3,8 @@
 
 #[path = "spirv/glsl.rs"]
 mod glsl;
+#[path = "spirv/names.rs"]
+mod names;
 #[path = "spirv/prune.rs"]
 mod prune;
 #[path = "spirv/robust.rs"]

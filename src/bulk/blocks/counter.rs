@@ -45,6 +45,7 @@ impl Counter {
     }
 
     /// Writes the words of consecutive indices from n on.
+    #[inline(always)]
     pub fn fill(&self, n: u64, words: &mut [u32], finish: impl Fn(u32) -> u32) {
         // The loops count in words: the last index is 2^32 - 1.
         let first = n as u32;

@@ -101,6 +101,7 @@ impl Linear {
     }
 
     /// Writes the words of consecutive indices from n on.
+    #[inline(always)]
     pub fn fill(&self, n: u64, words: &mut [u32], finish: impl Fn(u32) -> u32 + Copy) {
         match self.then {
             Then::Nothing => self.each(n, words, finish),
@@ -121,6 +122,7 @@ impl Linear {
         }
     }
 
+    #[inline(always)]
     fn each(&self, n: u64, words: &mut [u32], value: impl Fn(u32) -> u32) {
         for (block, place, run) in runs(n, self.table.len(), words) {
             let base = self.base(block);

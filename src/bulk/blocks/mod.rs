@@ -100,6 +100,7 @@ impl Blocks {
     }
 
     /// Writes the words of consecutive indices from n on, which do not go past 2^32.
+    #[inline(always)]
     pub fn fill(&self, n: u64, words: &mut [u32]) {
         finished!(self.finish, |finish| match &self.form {
             Form::Linear(linear) => linear.fill(n, words, finish),

@@ -59,10 +59,12 @@ impl Net {
     }
 
     /// Writes the rows of consecutive points from index n on.
+    #[inline(always)]
     pub fn fill(&self, n: u64, words: &mut [u32]) {
         finished!(self.finish, |finish| self.each(n, words, finish));
     }
 
+    #[inline(always)]
     fn each(&self, n: u64, words: &mut [u32], finish: impl Fn(u32) -> u32) {
         let mut equal = [0; LOOP];
         let equal = &mut equal[..LOOP / self.width * self.width];

@@ -55,6 +55,7 @@ impl Philox {
 
     /// Writes the words of `count` indices from n on, each column [`STRIDE`] words after the one
     /// before it.
+    #[inline(always)]
     pub fn fill(&self, n: u64, count: usize, columns: &mut [u32]) {
         finished!(self.finish, |finish| {
             for start in (0..count).step_by(LANES) {
@@ -83,6 +84,7 @@ impl Philox {
 
 /// The blocks of consecutive counters from n on, word by word. Words stand in the lower halves
 /// of lanes, whose upper halves no product reads.
+#[inline(always)]
 fn philox(n: u32, block: u32, [mut k, mut l]: [u32; 2]) -> [[u64; LANES]; 4] {
     let low = |x: u64| x & 0xffff_ffff;
     let mut x: [u64; LANES] = std::array::from_fn(|i| u64::from(n.wrapping_add(i as u32)));

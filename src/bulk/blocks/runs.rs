@@ -15,6 +15,7 @@ pub struct Runs<'a> {
 impl<'a> Iterator for Runs<'a> {
     type Item = (u64, usize, &'a mut [u32]);
 
+    #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         if self.words.is_empty() {
             return None;

@@ -86,6 +86,7 @@ impl Tile {
     }
 
     /// Writes the words of consecutive indices from n on.
+    #[inline(always)]
     pub fn fill(&self, n: u64, words: &mut [u32], finish: impl Fn(u32) -> u32) {
         for (block, place, run) in runs(n + self.start, self.quotients.len(), words) {
             let (x, shift) = match &self.share {

@@ -82,6 +82,13 @@ pub fn samplers() -> Vec<Case> {
             assert!(cases.len() > before, "{name} has no case");
         }
     }
+    // Up to the last index of so many digits in one of the bases, and past it.
+    for samples in [1, 2187, 2188, 15_625, 59_049, 59_050] {
+        let scene = scene("halton", samples, 0);
+        let needs = Needs::of_points(&scene, 6, None).unwrap();
+        let name = format!("halton, {samples} samples");
+        cases.push(Case { name, needs });
+    }
     cases
 }
 
