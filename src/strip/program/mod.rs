@@ -12,7 +12,9 @@ mod device;
 mod interface;
 mod literal;
 mod maps;
+mod net;
 mod prepared;
+mod radical;
 mod text;
 
 #[cfg(feature = "gpu")]

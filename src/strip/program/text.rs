@@ -68,9 +68,9 @@ pub(super) fn source(program: &Program, needs: &Needs) -> Result<String> {
     text.push('\n');
     text += &functions;
     if program.wide {
-        text += &sample(program, needs);
+        text += &sample(program, needs, &columns);
     }
-    text += &main(program, needs);
+    text += &main(program, needs, &columns);
     Ok(text)
 }
 
@@ -139,34 +139,35 @@ fn head(program: &Program) -> String {
     text
 }
 
-/// Where consecutive samples stand, and their coordinates.
+/// What coordinates need besides the index, and where consecutive samples stand.
 fn cursor(columns: &[columns::Code]) -> String {
     let mut text = String::new();
     for column in columns {
         text += &column.globals;
     }
-    let members = || columns.iter().flat_map(|column| &column.members);
     text += "\n// Where a run of samples stands.\nstruct Cursor {\n    uint n;\n";
-    for (kind, name, _) in members() {
+    for (kind, name, _) in columns.iter().flat_map(|column| &column.members) {
         let _ = writeln!(text, "    {kind} {name};");
     }
-    text += "};\n\nCursor cursor_at(uint n) {\n    return Cursor(n";
-    for (_, _, value) in members() {
-        let _ = write!(text, ",\n        {value}");
-    }
-    text += ");\n}\n\nCursor cursor_next(Cursor c) {\n    c.n += 1u;\n";
-    for column in columns.iter().filter(|column| !column.next.is_empty()) {
-        let _ = writeln!(text, "    {}", column.next);
-    }
-    text += "    return c;\n}\n";
-    for (number, column) in columns.iter().enumerate() {
-        let _ = write!(
-            text,
-            "\nuint fraction{number}(Cursor c) {{\n    return {};\n}}\n",
-            column.fraction
-        );
-    }
+    text += "};\n";
     text
+}
+
+/// The statements that begin a run at index n.
+fn begin(columns: &[columns::Code]) -> String {
+    let mut text = "Cursor c = Cursor(n".to_owned();
+    for (_, _, value) in columns.iter().flat_map(|column| &column.members) {
+        let _ = write!(text, ",\n    {value}");
+    }
+    text += ");\n";
+    text
+}
+
+/// The statements that go on to the next sample.
+fn next(columns: &[columns::Code]) -> String {
+    let steps = columns.iter().filter(|column| !column.next.is_empty());
+    let steps: String = steps.map(|column| format!("{}\n", column.next)).collect();
+    format!("c.n += 1u;\n{steps}")
 }
 
 fn between(name: &str, span: Option<Span>, unit: &str) -> String {
@@ -196,19 +197,22 @@ fn call(domain: &Domain, field: &Field) -> String {
 }
 
 /// The statements that make them.
-fn fractions(needs: &Needs) -> String {
-    let one = |number| format!("uint u{number} = fraction{number}(c);\n");
-    (0..needs.dimensions()).map(one).collect()
+fn fractions(needs: &Needs, columns: &[columns::Code]) -> String {
+    let numbers = 0..needs.dimensions() as usize;
+    let one = |(number, column): (usize, &columns::Code)| {
+        format!("uint u{number} = {};\n", column.fraction)
+    };
+    numbers.zip(columns).map(one).collect()
 }
 
 /// All domains of a sample, of kernels that store four at a time.
-fn sample(program: &Program, needs: &Needs) -> String {
+fn sample(program: &Program, needs: &Needs, columns: &[columns::Code]) -> String {
     let mut text = "struct Sample {\n".to_owned();
     for field in &program.record.fields {
         let kind = vector(field.values.len() as u32);
         let _ = writeln!(text, "    {kind} {};", field.name);
     }
-    let fractions = indented(&fractions(needs), 4);
+    let fractions = indented(&fractions(needs, columns), 4);
     let calls = needs.domains.iter().zip(&program.record.fields);
     let calls: Vec<String> = calls.map(|(domain, field)| call(domain, field)).collect();
     let _ = write!(
@@ -230,7 +234,7 @@ fn words(field: &Field, variable: &str) -> Vec<String> {
     }
 }
 
-fn main(program: &Program, needs: &Needs) -> String {
+fn main(program: &Program, needs: &Needs, columns: &[columns::Code]) -> String {
     let run = word(program.run);
     let stride = program.record.words;
     let mut text = format!(
@@ -241,7 +245,8 @@ fn main(program: &Program, needs: &Needs) -> String {
          \x20   if (i >= push.count / {run} + min(push.count % {run}, 1u)) {{\n        return;\n    }}\n\
          \x20   uint begin = i * {run};\n\
          \x20   uint count = min({run}, push.count - begin);\n\
-         \x20   Cursor c = cursor_at(push.first + begin);\n"
+         \x20   uint n = push.first + begin;\n{}",
+        indented(&self::begin(columns), 4)
     );
     if program.wide {
         let _ = write!(
@@ -256,8 +261,9 @@ fn main(program: &Program, needs: &Needs) -> String {
         let _ = write!(
             text,
             "        uvec4 {};\n        for (uint j = 0u; j < 4u; j++) {{\n\
-             \x20           Sample s = sample_at(c);\n            c = cursor_next(c);\n",
-            arrays.join(", ")
+             \x20           Sample s = sample_at(c);\n{}",
+            arrays.join(", "),
+            indented(&next(columns), 12)
         );
         let fields = program.record.fields.iter();
         let mut all: Vec<String> = fields
@@ -288,7 +294,7 @@ fn main(program: &Program, needs: &Needs) -> String {
     let _ = write!(
         text,
         "    uint at = begin * {stride}u;\n    [[dont_unroll]] for (uint k = 0u; k < count; k++) {{\n{}",
-        indented(&fractions(needs), 8)
+        indented(&fractions(needs, columns), 8)
     );
     // Each is stored at once: some compilers take very long where many values live long.
     for (domain, field) in needs.domains.iter().zip(&program.record.fields) {
@@ -300,7 +306,8 @@ fn main(program: &Program, needs: &Needs) -> String {
     }
     let _ = write!(
         text,
-        "        at += {stride}u;\n        c = cursor_next(c);\n    }}\n}}\n"
+        "        at += {stride}u;\n{}    }}\n}}\n",
+        indented(&next(columns), 8)
     );
     text
 }
