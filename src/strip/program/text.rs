@@ -244,53 +244,28 @@ fn main(program: &Program, needs: &Needs, columns: &[columns::Code]) -> String {
          \x20   uint i = group * {GROUP}u + gl_LocalInvocationID.x;\n\
          \x20   if (i >= push.count / {run} + min(push.count % {run}, 1u)) {{\n        return;\n    }}\n\
          \x20   uint begin = i * {run};\n\
-         \x20   uint count = min({run}, push.count - begin);\n\
          \x20   uint n = push.first + begin;\n{}",
         indented(&self::begin(columns), 4)
     );
+    let count = format!("    uint count = min({run}, push.count - begin);\n");
     if program.wide {
-        let _ = write!(
-            text,
-            "    uint at = i * {};\n    [[dont_unroll]] for (uint k = 0u; k < count; k += 4u) {{\n",
-            word(program.run / 4 * stride)
-        );
-        // A loop, and no four copies: of what follows a branch some drivers make two. Arrays of
-        // four are what others unroll such a loop for.
-        let parts = stride.div_ceil(4);
-        let arrays: Vec<String> = (0..parts).map(|part| format!("w{part}[4]")).collect();
-        let _ = write!(
-            text,
-            "        uvec4 {};\n        for (uint j = 0u; j < 4u; j++) {{\n\
-             \x20           Sample s = sample_at(c);\n{}",
-            arrays.join(", "),
-            indented(&next(columns), 12)
-        );
-        let fields = program.record.fields.iter();
-        let mut all: Vec<String> = fields
-            .flat_map(|field| words(field, &format!("s.{}", field.name)))
-            .collect();
-        all.resize(4 * parts as usize, "0u".to_owned());
-        for (part, four) in all.chunks(4).enumerate() {
-            let _ = writeln!(text, "            w{part}[j] = uvec4({});", four.join(", "));
-        }
-        text += "        }\n";
-        let axes = ["x", "y", "z", "w"];
-        let word = |at: u32| {
-            let (record, at) = (at / stride, at % stride);
-            let axis = axes.get(at as usize % 4).copied().unwrap_or("x");
-            format!("w{}[{record}].{axis}", at / 4)
-        };
-        for row in 0..stride {
-            let four: Vec<String> = (4 * row..4 * row + 4).map(word).collect();
-            let _ = writeln!(
+        let four = four(program, columns);
+        let at = word(program.run / 4 * stride);
+        let _ = writeln!(text, "    uint at = i * {at};");
+        if program.run == 4 {
+            text += &indented(&four, 4);
+        } else {
+            let _ = write!(
                 text,
-                "        samples[at + {row}u] = uvec4({});",
-                four.join(", ")
+                "{count}    [[dont_unroll]] for (uint k = 0u; k < count; k += 4u) {{\n{}\
+                 \x20       at += {stride}u;\n    }}\n",
+                indented(&four, 8)
             );
         }
-        let _ = write!(text, "        at += {stride}u;\n    }}\n}}\n");
+        text += "}\n";
         return text;
     }
+    text += &count;
     let _ = write!(
         text,
         "    uint at = begin * {stride}u;\n    [[dont_unroll]] for (uint k = 0u; k < count; k++) {{\n{}",
@@ -309,5 +284,39 @@ fn main(program: &Program, needs: &Needs, columns: &[columns::Code]) -> String {
         "        at += {stride}u;\n{}    }}\n}}\n",
         indented(&next(columns), 8)
     );
+    text
+}
+
+/// The statements that store four records, of kernels that do so.
+fn four(program: &Program, columns: &[columns::Code]) -> String {
+    let stride = program.record.words;
+    // A loop, and no four copies: of what follows a branch some drivers make two. Arrays of
+    // four are what others unroll such a loop for.
+    let parts = stride.div_ceil(4);
+    let arrays: Vec<String> = (0..parts).map(|part| format!("w{part}[4]")).collect();
+    let mut text = format!(
+        "uvec4 {};\nfor (uint j = 0u; j < 4u; j++) {{\n    Sample s = sample_at(c);\n{}",
+        arrays.join(", "),
+        indented(&next(columns), 4)
+    );
+    let fields = program.record.fields.iter();
+    let mut all: Vec<String> = fields
+        .flat_map(|field| words(field, &format!("s.{}", field.name)))
+        .collect();
+    all.resize(4 * parts as usize, "0u".to_owned());
+    for (part, four) in all.chunks(4).enumerate() {
+        let _ = writeln!(text, "    w{part}[j] = uvec4({});", four.join(", "));
+    }
+    text += "}\n";
+    let axes = ["x", "y", "z", "w"];
+    let word = |at: u32| {
+        let (record, at) = (at / stride, at % stride);
+        let axis = axes.get(at as usize % 4).copied().unwrap_or("x");
+        format!("w{}[{record}].{axis}", at / 4)
+    };
+    for row in 0..stride {
+        let four: Vec<String> = (4 * row..4 * row + 4).map(word).collect();
+        let _ = writeln!(text, "samples[at + {row}u] = uvec4({});", four.join(", "));
+    }
     text
 }
