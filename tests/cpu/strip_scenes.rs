@@ -16,18 +16,18 @@ use std::process::Command;
 
 /// Bytes that a scene's module may have: what it has, and a twentieth more.
 const BUDGETS: &[(&str, usize)] = &[
-    ("depth_of_field", 65_700),
-    ("diffuse_quad", 28_200),
-    ("diffuse_sky", 71_000),
-    ("everything", 211_800),
-    ("fog", 87_800),
-    ("glossy_sphere", 172_000),
-    ("lantern", 123_300),
-    ("layered", 152_600),
-    ("many_lights", 172_000),
-    ("motion_blur", 114_100),
-    ("studio", 145_100),
-    ("studio_sky", 201_200),
+    ("depth_of_field", 55_000),
+    ("diffuse_quad", 22_500),
+    ("diffuse_sky", 55_600),
+    ("everything", 170_900),
+    ("fog", 69_800),
+    ("glossy_sphere", 143_800),
+    ("lantern", 97_900),
+    ("layered", 127_100),
+    ("many_lights", 145_400),
+    ("motion_blur", 94_000),
+    ("studio", 111_700),
+    ("studio_sky", 157_800),
 ];
 
 fn scene(name: &str) -> (Scene, Needs) {

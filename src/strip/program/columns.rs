@@ -4,7 +4,6 @@ use super::literal::word;
 use super::{net, radical};
 use crate::interface::{Column, Family, column_kind as kind};
 use crate::variant::column_words;
-use std::fmt::Write;
 
 /// How a column's fractions come about in a kernel.
 #[derive(Clone, Debug, Default)]
