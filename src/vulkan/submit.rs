@@ -5,6 +5,7 @@ use std::sync::PoisonError;
 use std::sync::atomic::Ordering;
 
 use super::device::Device;
+use super::info::DeviceKind;
 use super::{MAX_BATCH, MAX_BINDINGS, descriptor, dispatch, failed};
 use crate::error::{Error, Result};
 
@@ -18,6 +19,8 @@ pub(super) struct Lane {
     queries: vk::QueryPool,
     /// Room for [`MAX_BATCH`] sets of [`MAX_BINDINGS`] buffers.
     pub(super) descriptors: vk::DescriptorPool,
+    /// Whether a barrier ends all that was recorded before it, as on CPUs.
+    in_order: bool,
     /// Submitted, and not seen to end.
     pending: bool,
 }
@@ -43,6 +46,7 @@ impl Lane {
 
     fn create(&mut self, device: &Device) -> Result<()> {
         let raw = device.raw();
+        self.in_order = device.info().kind == DeviceKind::Cpu;
         let pool = vk::CommandPoolCreateInfo::default()
             .flags(vk::CommandPoolCreateFlags::TRANSIENT)
             .queue_family_index(device.queue_family());
@@ -104,11 +108,11 @@ impl Lane {
         span: usize,
         end: Edge,
     ) {
-        // Once all that was recorded before has ended. A barrier of all stages before a span's
-        // beginning sees to that too, and then the top of the pipe saves llvmpipe a flush, which
-        // is most of what lies between two short dispatches.
+        // Once all that was recorded before has ended, which on GPUs the top of the pipe may not
+        // wait for. On CPUs a barrier has seen to that, and the top saves llvmpipe a flush, which is
+        // most of what lies between two short dispatches.
         let stage = match (end, span) {
-            (Edge::Begin, 1..) => vk::PipelineStageFlags::TOP_OF_PIPE,
+            (Edge::Begin, 1..) if self.in_order => vk::PipelineStageFlags::TOP_OF_PIPE,
             _ => vk::PipelineStageFlags::BOTTOM_OF_PIPE,
         };
         let query = 2 * span as u32 + end as u32;
