@@ -9,6 +9,8 @@ use corput::vulkan::Device;
 use corput::{Error, Result};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -81,7 +83,14 @@ pub fn parse(recorded: &Value, places: &Places) -> Result<GenerateArgs> {
                 remedy: "drop --env".into(),
             });
         }
-        (path, _) => path.clone(),
+        (Some(_), None) => {
+            return Err(Error::Arguments {
+                asked: "the recorded arguments".into(),
+                limit: "a picture is named without its SHA-256".into(),
+                remedy: "take the document that was written with the file".into(),
+            });
+        }
+        (None, _) => None,
     };
     // A sequence that is random already takes no scramble, not even none.
     let sequence = Sequence::from_name(&args.sequence).ok();
@@ -98,7 +107,7 @@ fn find(path: &Path, picture: &Value, places: &Places) -> Result<PathBuf> {
         Some(given) => vec![given],
         None => vec![path, &beside],
     };
-    let mut problem = None;
+    let (mut problem, mut unread) = (None, None);
     for candidate in candidates {
         match hash(candidate) {
             Ok(found) if json!(found) == *picture => return Ok(candidate.to_owned()),
@@ -109,25 +118,35 @@ fn find(path: &Path, picture: &Value, places: &Places) -> Result<PathBuf> {
                     remedy: "put that picture back, or say with --env where it lies".into(),
                 });
             }
-            Err(_) => {}
+            Err(error) => {
+                unread.get_or_insert(error);
+            }
         }
     }
-    let missing = || Error::Image {
-        path: places.given.unwrap_or(path).to_owned(),
-        problem: format!(
-            "it cannot be read, seen from here or from {}",
-            places.folder.display()
-        ),
-        remedy: "check the path, or say with --env where it lies".into(),
-    };
-    Err(problem.unwrap_or_else(missing))
+    Err(problem.or(unread).unwrap_or_else(|| Error::Image {
+        path: path.to_owned(),
+        problem: "there is no place to look for it".into(),
+        remedy: "say with --env where it lies".into(),
+    }))
 }
 
+/// The SHA-256 of a picture, read in blocks: a document of others may name anything.
 fn hash(path: &Path) -> Result<String> {
-    let bytes = std::fs::read(path).map_err(|source| Error::Image {
+    let refused = |problem: String| Error::Image {
         path: path.to_owned(),
-        problem: format!("it cannot be read ({source})"),
-        remedy: "check the path".into(),
-    })?;
-    Ok(hexadecimal(&Sha256::digest(&bytes)))
+        problem,
+        remedy: "check the path, or say with --env where it lies".into(),
+    };
+    let unread = |source: io::Error| refused(format!("it cannot be read ({source})"));
+    let mut file = File::open(path).map_err(unread)?;
+    if !file.metadata().map_err(unread)?.is_file() {
+        return Err(refused("it is no regular file".into()));
+    }
+    let (mut hash, mut block) = (Sha256::new(), vec![0; 1 << 16]);
+    loop {
+        match file.read(&mut block).map_err(unread)? {
+            0 => return Ok(hexadecimal(&hash.finalize())),
+            read => hash.update(block.get(..read).unwrap_or_default()),
+        }
+    }
 }

@@ -17,7 +17,8 @@ pub enum Format {
     Csv,
     /// A C header with one array of numbers that read back as the same bits (ending `.h`). The
     /// array of `a_b.h` is `points_a_b`; a name of more than letters, digits and single `_` has
-    /// digits of its SHA-256 behind it, so that no two files have one array.
+    /// digits of its SHA-256 behind it, so that files of one folder whose names differ in
+    /// punctuation or case have arrays of their own.
     C,
     /// A GLSL array of `uint`: the bits of floats, or integers (ending `.glsl`). It is
     /// called as that of a C header.

@@ -53,8 +53,8 @@ pub(super) fn c_header(layout: &Layout, name: &str) -> Vec<u8> {
         Element::U32 => ("stdint.h", "uint32_t"),
         Element::U16 => ("stdint.h", "uint16_t"),
     };
-    // In capitals those of p.h and P.h would be one.
-    let guard = format!("{name}_H");
+    // No array has a name like it, and in capitals those of p.h and P.h would be one.
+    let guard = format!("CORPUT_H_{name}");
     format!(
         "/* {name}[i][j]: column j of row i. */\n\
          #ifndef {guard}\n#define {guard}\n\n#include <{include}>\n\n\
@@ -124,7 +124,7 @@ pub(super) const GLSL_FOOTER: &[u8] = b");\n\n#endif\n";
 
 pub(super) fn glsl_header(layout: &Layout, name: &str) -> Vec<u8> {
     let Layout { rows, columns, .. } = layout;
-    let (values, guard) = (rows * u64::from(*columns), format!("{name}_GLSL"));
+    let (values, guard) = (rows * u64::from(*columns), format!("CORPUT_GLSL_{name}"));
     let element = format!("{name}[{columns}u * i + j]");
     let read = match layout.element {
         // Compilers may read decimal digits as they like.

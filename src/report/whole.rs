@@ -2,7 +2,7 @@
 //! number of axes.
 
 use super::chunked::{
-    Chunk, Origin, check_free, document, recorded, save_sidecar, whole_description,
+    Chunk, Origin, check_free, document, recorded, save_unlocked, whole_description,
 };
 use super::place::{Place, failed};
 use super::{Document, Sidecar, Target, hexadecimal};
@@ -24,6 +24,14 @@ pub struct Form {
     pub descr: &'static str,
     /// Bytes before the data that its one chunk is.
     pub header: usize,
+}
+
+impl Form {
+    /// What a FILE.json says of the file, less its hashes.
+    fn description(&self, origin: &Origin) -> Value {
+        let rows = self.shape.first().copied().unwrap_or(1);
+        whole_description(origin, self.format, &self.shape, self.descr, rows)
+    }
 }
 
 impl Document {
@@ -52,15 +60,14 @@ impl Document {
         };
         aside.fill(bytes)?;
         let chunk = chunk(bytes, form.header);
-        let rows = form.shape.first().copied().unwrap_or(1);
         let text = document(
-            whole_description(origin, form.format, &form.shape, form.descr, rows),
+            form.description(origin),
             &origin.device,
             bytes.len() as u64,
             &[&chunk],
             &hexadecimal(&Sha256::digest(bytes)),
         );
-        let described = save_sidecar(aside.real(), &text)?;
+        let described = save_unlocked(aside.real(), &text)?;
         aside.commit().inspect_err(|_| {
             // It describes data that is not there.
             let _ = std::fs::remove_file(&described);
@@ -90,7 +97,11 @@ pub struct Whole {
     /// SHA-256 of the file, in hexadecimal digits.
     pub sha256: String,
     chunk: Chunk,
+    layout: [Value; LAYOUT.len()],
 }
+
+/// What a FILE.json says of a file's bytes besides.
+const LAYOUT: [&str; 4] = ["shape", "type", "chunk_rows", "name"];
 
 impl Whole {
     /// Reads the FILE.json of a file.
@@ -125,6 +136,7 @@ impl Whole {
             bytes: value["bytes"].as_u64().ok_or("bytes")?,
             sha256: text("sha256")?,
             chunk: Chunk::read(chunk).ok_or("chunks")?,
+            layout: LAYOUT.map(|name| value[name].clone()),
         })
     }
 
@@ -166,6 +178,15 @@ impl Whole {
                 "it has {is} bytes than the {} that its arguments make",
                 made.len()
             )));
+        }
+        let must = form.description(&self.origin);
+        for (name, is) in LAYOUT.iter().zip(&self.layout) {
+            if must[name] != *is {
+                let must = &must[name];
+                return Err(differs(format!(
+                    "`{name}` of its sidecar is {is}, and must be {must}"
+                )));
+            }
         }
         if chunk(&found, form.header) != self.chunk {
             return Err(differs("its chunk is not that of its sidecar".into()));

@@ -16,7 +16,7 @@ mod sidecar;
 pub use sidecar::{Origin, SIDECAR_SCHEMA, Sidecar};
 
 pub(super) use file::Chunked;
-pub(super) use sidecar::{check_free, document, recorded, save as save_sidecar, whole_description};
+pub(super) use sidecar::{check_free, document, recorded, save_unlocked, whole_description};
 
 use super::Layout;
 use super::encode::Encoder;

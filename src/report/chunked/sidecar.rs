@@ -240,15 +240,34 @@ pub(in crate::report) fn document(
     format!("{description:#}\n").into_bytes()
 }
 
-/// Writes the sidecar of a file aside and then under its name, which it returns.
-pub(in crate::report) fn save(file: &Path, document: &[u8]) -> Result<PathBuf> {
+/// Writes the sidecar of a file aside and then under its name, which it returns. The file's journal
+/// keeps others away.
+pub(super) fn save(file: &Path, document: &[u8]) -> Result<PathBuf> {
+    save_by(file, document, |name| {
+        Aside::create(beside(name, PARTIAL), name, name.to_owned())
+    })
+}
+
+/// The same of a file without a journal, which another process may write too.
+pub(in crate::report) fn save_unlocked(file: &Path, document: &[u8]) -> Result<PathBuf> {
+    save_by(file, document, |name| {
+        let folder = name.parent().unwrap_or(Path::new("."));
+        Aside::create_in(folder, name, name.to_owned())
+    })
+}
+
+fn save_by(
+    file: &Path,
+    document: &[u8],
+    create: impl FnOnce(&Path) -> io::Result<Aside>,
+) -> Result<PathBuf> {
     let name = Sidecar::path_of(file);
     let io = |source| failed("write", &name, source);
     let Existing::File(name) = existing(&name)? else {
         return Err(io(io::Error::other("it is no regular file any more")));
     };
     let io = |source| failed("write", &name, source);
-    let mut aside = Aside::create(beside(&name, PARTIAL), &name, name.clone()).map_err(io)?;
+    let mut aside = create(&name).map_err(io)?;
     aside.fill(document)?;
     aside.commit()?;
     Ok(name)

@@ -139,7 +139,7 @@ fn a_glsl_array_is_golden() {
     assert_eq!(
         text,
         "// uintBitsToFloat(points_p[2u * i + j]) is column j of row i.\n\
-         #ifndef points_p_GLSL\n#define points_p_GLSL\n\n\
+         #ifndef CORPUT_GLSL_points_p\n#define CORPUT_GLSL_points_p\n\n\
          const uint points_p[4] = uint[](\n\
          0x00000000u, 0x3f800000u,\n\
          0x3f000000u, 0xbf800000u\n\
