@@ -106,7 +106,11 @@ unsafe fn both(
         let buffers = [commands];
         let submit = [vk::SubmitInfo::default().command_buffers(&buffers)];
         device.queue_submit(queue, &submit, fence)?;
-        device.wait_for_fences(&[fence], true, 30_000_000_000)?;
+        if let Err(error) = device.wait_for_fences(&[fence], true, 30_000_000_000) {
+            // What commands use that may still run has to stay.
+            std::mem::forget((recording, generator));
+            return Err(error.into());
+        }
         drop(recording);
         device.destroy_fence(fence, None);
         device.destroy_command_pool(pool, None);

@@ -9,10 +9,10 @@ use std::ops::Range;
 ///
 /// The words are the same on the CPU and on every device, and in chunks of any length.
 /// [`Self::next_words`] lends each chunk from memory that it allocates once. As an iterator it
-/// gives vectors that the caller keeps, one allocation each. Neither copies what is made on the
-/// CPU; from a device each word is copied once.
+/// gives vectors that the caller keeps, one allocation each. Neither copies what
+/// `bulk::Reference` makes; from a device each word is copied once.
 ///
-/// An error ends it; else [`Iterator::size_hint`] is exact.
+/// An error ends it; else [`Iterator::size_hint`] is exact, where a `usize` holds the number.
 ///
 /// ```
 /// use corput::bulk::Reference;
@@ -113,9 +113,9 @@ impl<E: Engine + ?Sized> Iterator for Chunks<'_, E> {
 
     fn size_hint(&self) -> (usize, Option<usize>) {
         let points = self.points.end.saturating_sub(self.points.start);
-        // At most 2^32 points.
-        let chunks = points.div_ceil(self.rows) as usize;
-        (chunks, Some(chunks))
+        // Up to 2^32, which has no `usize` of 32 bits.
+        let chunks = usize::try_from(points.div_ceil(self.rows)).ok();
+        (chunks.unwrap_or(usize::MAX), chunks)
     }
 }
 

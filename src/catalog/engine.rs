@@ -49,17 +49,27 @@ pub trait Engine {
     /// them in as many dispatches as [`Self::chunk`] says, and each is copied once.
     ///
     /// # Errors
-    /// [`Error::Arguments`] for a part of a row, or points that the request does not have; those
-    /// of the device, after which `words` may hold some of the points.
+    /// [`Error::Arguments`] for a part of a row, for points that the request does not have, and of
+    /// an engine that makes more or fewer words; those of the device, after which `words` may hold some of the points.
     fn fill(&mut self, start: u64, words: &mut [u32]) -> Result<()> {
         let points = whole_points(self, start, words.len())?;
-        let mut rest = words;
+        let asked = words.len();
+        let (mut rest, mut given) = (words, 0);
         self.make(start, points, &mut |piece| {
             let all = std::mem::take(&mut rest);
             let (words, after) = all.split_at_mut(piece.len().min(all.len()));
             words.copy_from_slice(&piece[..words.len()]);
             rest = after;
+            given += piece.len();
             Ok(())
+        })?;
+        if given == asked {
+            return Ok(());
+        }
+        Err(Error::Arguments {
+            asked: format!("{asked} words of an engine"),
+            limit: format!("it made {given}"),
+            remedy: "mend its `make`, which gives all points that it is asked for".into(),
         })
     }
 }
