@@ -5,7 +5,8 @@
 //! A row compares each result with the CPU twin, and the floats with a truth that shares no
 //! arithmetic with it: `f64` from the definitions, with a bound of its own error, so that
 //! each result is known to be correctly rounded, known not to be, or counted as undecided. Of maps,
-//! whose judges are slower, those of critical inputs and of a share of the random ones.
+//! whose judges are slower and are taken to be within 2^-32, those of critical inputs that have a
+//! judge, of a share of the random ones, and of one word in 4,096.
 //! The SHA-256 of all results in order must be the published one, where one is. Memory stays
 //! below 1 GiB: results come in chunks of at most 64 MiB, of which one is made while another
 //! is compared and hashed.

@@ -182,7 +182,9 @@ impl Row {
             (Some(worst), Some(bound)) => worst <= bound,
             _ => true,
         };
-        let right = figures.mismatches == 0 && figures.compared > 0;
+        // What nobody has judged keeps to no bound.
+        let judged = self.bound.is_none() || figures.judged > 0;
+        let right = figures.mismatches == 0 && figures.compared > 0 && judged;
         self.verdict = match right && within && !matches!(self.hash, Hash::Differs(_)) {
             true => Verdict::Passed,
             false => Verdict::Failed,
