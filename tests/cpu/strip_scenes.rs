@@ -5,10 +5,12 @@
 mod corpus;
 
 use corpus::{Case, files, samplers};
-use corput::catalog::{Profile, SEQUENCES, Sequence, maps};
+use corput::catalog::{Profile, SEQUENCES, Sampler, Sequence, maps};
+use corput::kernels::spirv;
 use corput::scene::{Draw, Needs, Scene, parse, read};
-use corput::spirv::describe;
+use corput::spirv::{describe, drop_local_names};
 use corput::strip::{Bundle, BundleOptions, TARGETS, Target, bundle, measure};
+use corput::variant::{Work, general};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -199,6 +201,39 @@ fn modules_are_within_their_budgets() {
         assert!(
             bytes > budget * 8 / 10,
             "{name} has {bytes} bytes: lower its budget of {budget}"
+        );
+    }
+}
+
+/// Bare points against the kernel that chooses bases, nets and scrambles of their family at run
+/// time, with its names and without those that a stripped module lacks too.
+#[test]
+fn bare_points_are_a_quarter_of_the_general_kernel() {
+    for (sampler, share) in [("halton", 0.28), ("sobol", 0.25), ("sobol:owen-hash", 0.29)] {
+        let mut scene = Scene::new("points").unwrap();
+        scene.sampler.value = Sampler::parse(sampler).unwrap();
+        scene.samples.value = 1024;
+        let needs = Needs::of_points(&scene, 2, None).unwrap();
+        let general = general(&Work {
+            columns: &needs.request.columns,
+            points: needs.request.count,
+            fractions: true,
+            map: None,
+            native: false,
+            cpu: false,
+        });
+        let general = spirv(general.kernel.name).unwrap();
+        let bytes = stripped(&scene, &needs).spirv.len();
+        assert!(
+            4 * bytes <= general.len(),
+            "{sampler}: {bytes} of {} words",
+            general.len()
+        );
+        let nameless = drop_local_names(&general).unwrap().len();
+        let part = bytes as f64 / nameless as f64;
+        assert!(
+            part <= share,
+            "{sampler}: {bytes} of {nameless} words, {part}"
         );
     }
 }
