@@ -33,8 +33,9 @@ pub(super) const MAPS: &[Map] = &[Map {
     pdf: "(n + 1) / (2 pi) z^n, 0 below the horizon",
     ulp: 0.6,
     floor: 0.0,
-    // Of an exponent of up to 32, whose digits before the point the mantissa lacks.
-    pdf_ulp: 0.9,
+    // Half, and 2^-27 of an exponent of up to 32, whose digits before the point the mantissa
+    // lacks: an eighth.
+    pdf_ulp: 0.7,
     native: NATIVE_LOG,
     native_pdf: NATIVE_EXP,
     tier: Tier::Integer,
