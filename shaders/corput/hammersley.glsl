@@ -3,11 +3,14 @@
 // source: Hammersley 1960, Monte Carlo methods for solving multivariable problems.
 // domain: k < N, 1 <= N <= 2^32; N = 2^32 is written as 0.
 // range:  exactly ceil(2^32 k / N), at most 2^32 - 1.
-// cost:   32 steps of long division; corput_hammersley_next 5 instructions.
+// cost:   32 steps of long division, a shift for powers of two; corput_hammersley_next
+//         5 instructions.
 // hooks:  none.
 // mirror: src/reference/hammersley.rs
 #ifndef CORPUT_HAMMERSLEY_GLSL
 #define CORPUT_HAMMERSLEY_GLSL
+
+#include "corput/bits.glsl"
 
 // The fraction floor(2^32 k / N), and the remainder of that division.
 struct CorputGridPoint {
@@ -15,10 +18,14 @@ struct CorputGridPoint {
     uint remainder;
 };
 
-// 2^32 k / N by long division.
+// 2^32 k / N by long division, which a power of two does not need.
 CorputGridPoint corput_hammersley_start(uint k, uint count) {
     if (count == 0u) {
         return CorputGridPoint(k, 0u);
+    }
+    if ((count & (count - 1u)) == 0u) {
+        // In two steps: N = 1 shifts by 32.
+        return CorputGridPoint((k << (31u - corput_find_msb(count))) << 1u, 0u);
     }
     uint fraction = 0u;
     uint remainder = k;

@@ -4,6 +4,8 @@
 //! Range: exactly `ceil(2^32 k / N)`, at most 2^32 - 1.
 //! Mirror: `shaders/corput/hammersley.glsl`.
 
+use crate::reference::bits::find_msb;
+
 /// The fraction `floor(2^32 k / N)`, and the remainder of that division.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GridPoint {
@@ -13,13 +15,20 @@ pub struct GridPoint {
     pub remainder: u32,
 }
 
-/// 2^32 k / N by long division.
+/// 2^32 k / N by long division, which a power of two does not need.
 #[inline]
 #[must_use]
 pub fn hammersley_start(k: u32, count: u32) -> GridPoint {
     if count == 0 {
         return GridPoint {
             fraction: k,
+            remainder: 0,
+        };
+    }
+    if count & count.wrapping_sub(1) == 0 {
+        // In two steps: N = 1 shifts by 32.
+        return GridPoint {
+            fraction: (k << (31 - find_msb(count))) << 1,
             remainder: 0,
         };
     }
