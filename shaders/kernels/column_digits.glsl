@@ -15,10 +15,11 @@ struct Column {
     uint kind;
     uint seed;
     // So many of the lowest digits are permuted for each point, the others for blocks of
-    // `window` = base^low indices; `above` has the rest of the group: power / window.
+    // `window` = base^low indices.
     uint low;
     uint window;
-    uint above;
+    // Where the table of its places begins, in kernels that have one.
+    uint places;
     CorputBase base;
 };
 
@@ -34,18 +35,17 @@ Column column_load(uint at) {
     P.kind = P##_KIND;                                                                    \
     P.low = P##_LOW;                                                                      \
     P.window = P##_WINDOW;                                                                \
-    P.above = P##_ABOVE;                                                                  \
     P.base = CorputBase(P##_BASE, P##_DIGITS, P##_GROUP_POWER, P##_BASE_MAGIC,            \
         P##_BASE_SHIFT, P##_POWER_MAGIC, P##_POWER_SHIFT)
 #else
 #define COLUMN(P)                                                                         \
-    Column(P##_KIND, P##_SEED, P##_LOW, P##_WINDOW, P##_ABOVE,                            \
+    Column(P##_KIND, P##_SEED, P##_LOW, P##_WINDOW, P##_PLACES,                           \
         CorputBase(P##_BASE, P##_DIGITS, P##_GROUP_POWER, P##_BASE_MAGIC, P##_BASE_SHIFT, \
             P##_POWER_MAGIC, P##_POWER_SHIFT))
 #endif
 
-// A tile meets two blocks at most. Of each: its digits in the group of the lowest, and the
-// inverse of the groups above.
+// A tile meets two blocks at most. Of each, what its digits contribute: a fraction of 2^32 and
+// what the last division by the group's power left.
 struct Cursor {
     uint index;
     // Within the block.
@@ -71,7 +71,13 @@ uint digits_prepend(uint digits, uint y, CorputBase b) {
     return (q << 16) | corput_divide_by(low, b.power_magic, b.power_shift);
 }
 
-// The digits of a block and of the next.
+// The same with what the division leaves, which is below 2^32 and so needs no upper word.
+uvec2 digits_divided(uint digits, uint y, CorputBase b) {
+    uint fraction = digits_prepend(digits, y, b);
+    return uvec2(fraction, y - fraction * b.power);
+}
+
+// The blocks that an index and the next ones lie in.
 Cursor permuted_start(uint index, Column c) {
     CorputBase b = c.base;
     uint stream = digits_stream(c);
@@ -97,7 +103,7 @@ Cursor permuted_start(uint index, Column c) {
     // Only the digits that the 1 is carried to are others in the next block.
     uvec4 next = own;
     uint at = 4u - groups;
-    uint weight = corput_divide_by(c.above, b.base_magic, b.base_shift);
+    uint weight = corput_divide_by(b.power / c.window, b.base_magic, b.base_shift);
     bool carried = c.window > 1u;
     n = block;
     position = c.low;
@@ -122,20 +128,33 @@ Cursor permuted_start(uint index, Column c) {
         own = uvec4(0u, own.xyz);
         next = uvec4(0u, next.xyz);
     }
-    return Cursor(index, index - block * c.window, uvec2(own.w, y.x), uvec2(next.w, y.y));
+    return Cursor(index, index - block * c.window, digits_divided(own.w, y.x, b),
+        digits_divided(next.w, y.y, b));
 }
 
-uint permuted_value(Cursor cursor, Column c) {
+// What the low digits of a place in its block contribute.
+uint permuted_low(uint place, Column c) {
+#ifdef TILE_PLACES
+    return places[c.places + place];
+#else
     CorputBase b = c.base;
     uint stream = digits_stream(c);
-    uint n = cursor.place;
+    uint n = place;
     uint reversed = 0u;
     [[dont_unroll]] for (uint position = 0u; position < c.low; position++) {
         uint rest = corput_divide_by(n, b.base_magic, b.base_shift);
         reversed = reversed * b.base + digit_permuted(n - rest * b.base, position, stream, b.base);
         n = rest;
     }
-    return digits_prepend(reversed * c.above + cursor.high.x, cursor.high.y, b);
+    return digits_prepend(reversed * (b.power / c.window), 0u, b);
+#endif
+}
+
+uint permuted_value(Cursor cursor, Column c) {
+    uint low = permuted_low(cursor.place, c);
+    // Of both divisions by the power, what they leave.
+    uint rest = cursor.high.y - low * c.base.power;
+    return low + cursor.high.x + (rest >= c.base.power ? 1u : 0u);
 }
 
 Cursor cursor_start(uint index, Column c) {

@@ -55,4 +55,10 @@ float column_unit(uint fraction, Column c) {
     return c.kind == KOROBOV ? corput_unit_ceil(fraction) : corput_unit_floor(fraction);
 }
 
+// Of kernels without a loop.
+#define WIDE_CURSOR(c)
+#define WIDE_FRACTION(c, p) column_value(first + uint(p), COLUMN(COLUMN##c))
+#define WIDE_NEXT(c, p)
+#define WIDE_UNIT(c, fraction) column_unit(fraction, COLUMN(COLUMN##c))
+
 #endif

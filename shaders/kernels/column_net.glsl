@@ -30,20 +30,21 @@ struct Column {
     Directions directions;
 };
 
-// The coordinate from that of the net.
-uint column_scrambled(uint x, Column c) {
+// The coordinate from that of the net; of a column no more than it takes, since compilers copy
+// what they are given.
+uint net_scrambled(uint x, uint kind, uint shift, uint dimension, uint low, uint high, uint hash) {
     uint value = 0u;
     if (KIND_OCCURS(SOBOL)) {
-        value = corput_digital_shift(x, c.shift);
+        value = corput_digital_shift(x, shift);
     }
     if (KIND_OCCURS(SOBOL_OWEN)) {
-        if (kind_is(c.kind, SOBOL_OWEN)) {
-            value = corput_owen(x, c.dimension, uvec2(c.seed_low, c.seed_high));
+        if (kind_is(kind, SOBOL_OWEN)) {
+            value = corput_owen(x, dimension, uvec2(low, high));
         }
     }
     if (KIND_OCCURS(SOBOL_OWEN_HASH)) {
-        if (kind_is(c.kind, SOBOL_OWEN_HASH)) {
-            value = corput_owen_hash_reversed(x, c.hash);
+        if (kind_is(kind, SOBOL_OWEN_HASH)) {
+            value = corput_owen_hash_reversed(x, hash);
         }
     }
     return value;
@@ -83,8 +84,8 @@ Column column_load(uint at) {
             P##_D24, P##_D25, P##_D26, P##_D27, P##_D28, P##_D29, P##_D30, P##_D31))
 #endif
 
-// What a bit of n contributes.
-#define NET_BIT(n, bit, direction) ((0u - (((n) >> (bit)) & 1u)) & (direction))
+// What a bit of n contributes: the bit goes to the sign, and fills the word.
+#define NET_BIT(n, bit, direction) (uint(int((n) << (31 - (bit))) >> 31) & (direction))
 
 // Of the index's bits the highest 24 stay over the 256 points of a block, and a tile,
 // which is shorter, meets two blocks at most.
@@ -124,7 +125,7 @@ Cursor cursor_start(uint index, Column c) {
 }
 
 uint cursor_value(Cursor cursor, Column c) {
-    uint value = column_scrambled(cursor.x, c);
+    uint value = net_scrambled(cursor.x, c.kind, c.shift, c.dimension, c.seed_low, c.seed_high, c.hash);
     if (KIND_OCCURS(PMJ02)) {
         if (kind_is(c.kind, PMJ02)) {
             value = column_pmj02(cursor.index, c);
@@ -153,5 +154,36 @@ Cursor cursor_beside(Cursor cursor, Column c, uint place) {
 float column_unit(uint fraction, Column c) {
     return corput_unit_floor(fraction);
 }
+
+// Kernels without a loop start at a multiple of their number of points, and the bits of the index
+// that change to the next point are those of `p`, so known.
+#ifdef WIDE_POINTS
+uint net_first(uint index, Column c) {
+    Directions d = c.directions;
+    uint x = cursor_high(index >> 8, c)
+        ^ NET_BIT(index, 5, d.d5) ^ NET_BIT(index, 6, d.d6) ^ NET_BIT(index, 7, d.d7);
+#if WIDE_POINTS <= 16
+    x ^= NET_BIT(index, 4, d.d4);
+#endif
+#if WIDE_POINTS <= 8
+    x ^= NET_BIT(index, 3, d.d3);
+#endif
+#if WIDE_POINTS <= 4
+    x ^= NET_BIT(index, 2, d.d2);
+#endif
+    return x;
+}
+#endif
+
+#define WIDE_CURSOR(c) uint x##c = net_first(first, COLUMN(COLUMN##c));
+#define WIDE_FRACTION(c, p)                                                        \
+    net_scrambled(x##c, COLUMN##c##_KIND, COLUMN##c##_SHIFT, COLUMN##c##_DIMENSION, \
+        COLUMN##c##_SEED_LOW, COLUMN##c##_SEED_HIGH, COLUMN##c##_HASH)
+#define WIDE_NEXT(c, p)                                                  \
+    x##c ^= NET_BIT(CHANGED(p), 0, COLUMN##c##_D0)                       \
+        ^ NET_BIT(CHANGED(p), 1, COLUMN##c##_D1) ^ NET_BIT(CHANGED(p), 2, COLUMN##c##_D2) \
+        ^ NET_BIT(CHANGED(p), 3, COLUMN##c##_D3) ^ NET_BIT(CHANGED(p), 4, COLUMN##c##_D4);
+#define CHANGED(p) (uint(p) ^ (uint(p) + 1u))
+#define WIDE_UNIT(c, fraction) corput_unit_floor(fraction)
 
 #endif

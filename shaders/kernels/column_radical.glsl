@@ -103,4 +103,22 @@ float column_unit(uint fraction, Column c) {
     return c.kind == REVERSED ? corput_unit_floor(fraction) : corput_unit_ceil(fraction);
 }
 
+// Kernels without a loop know no odometers. They start at a multiple of their number of points.
+#define WIDE_CURSOR(c)                                                                       \
+    uint x##c = corput_van_der_corput(first);                                                \
+    CorputGridPoint grid##c = CorputGridPoint(0u, 0u);                                       \
+    if (COLUMN##c##_KIND == GRID) {                                                          \
+        grid##c = corput_hammersley_start(first, COLUMN##c##_POWER);                         \
+    }
+#define WIDE_FRACTION(c, p) \
+    (COLUMN##c##_KIND == GRID ? corput_hammersley_value(grid##c) : x##c)
+#define WIDE_NEXT(c, p)                                                                      \
+    x##c ^= corput_van_der_corput(uint(p) ^ (uint(p) + 1u));                                 \
+    if (COLUMN##c##_KIND == GRID) {                                                          \
+        grid##c = corput_hammersley_next(grid##c,                                            \
+            CorputGridPoint(COLUMN##c##_QUOTIENT, COLUMN##c##_FRACTION), COLUMN##c##_POWER); \
+    }
+#define WIDE_UNIT(c, fraction) \
+    (COLUMN##c##_KIND == GRID ? corput_unit_ceil(fraction) : corput_unit_floor(fraction))
+
 #endif

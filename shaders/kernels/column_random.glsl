@@ -60,4 +60,10 @@ float column_unit(uint fraction, Column c) {
     return corput_unit_floor(fraction);
 }
 
+// Of kernels without a loop.
+#define WIDE_CURSOR(c)
+#define WIDE_FRACTION(c, p) column_value(first + uint(p), COLUMN(COLUMN##c))
+#define WIDE_NEXT(c, p)
+#define WIDE_UNIT(c, fraction) corput_unit_floor(fraction)
+
 #endif

@@ -3,6 +3,7 @@
 #extension GL_EXT_control_flow_attributes : require
 // Points of one to four columns: TILE consecutive ones an invocation, in wide stores.
 // Four columns may be a part of a wider row, which takes one dispatch per part.
+#define TILE_PLACES
 #include "interface.glsl"
 #include "tile.glsl"
 

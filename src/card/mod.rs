@@ -171,7 +171,10 @@ fn kernels() -> Result<Vec<Value>> {
 fn kernel(kernel: &crate::interface::Kernel) -> Result<Value> {
     let words = spirv(kernel.name)?;
     let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
-    let exact = matches!(kernel.profile, Profile::Integer | Profile::Float);
+    let exact = matches!(
+        kernel.profile,
+        Profile::Integer | Profile::Wide | Profile::Float
+    );
     let policy = match exact {
         true => modules::exact_policy(),
         false => modules::native_policy(),

@@ -81,6 +81,7 @@ pub fn check(words: &[u32], profile: Profile) -> Result<Vec<u32>, String> {
     let words = spirv::decorate_no_contraction(words).map_err(|error| error.to_string())?;
     let policy = match profile {
         Profile::Integer | Profile::Float => spirv::exact_policy(),
+        Profile::Wide => spirv::exact_policy().wide(),
         Profile::Native | Profile::Probe => spirv::native_policy(),
     };
     let report = spirv::lint(&words, &policy).map_err(|error| error.to_string())?;
@@ -88,7 +89,8 @@ pub fn check(words: &[u32], profile: Profile) -> Result<Vec<u32>, String> {
         let lines: Vec<String> = report.violations.iter().map(ToString::to_string).collect();
         return Err(format!("the linter refuses it:\n{}", lines.join("\n")));
     }
-    if profile == Profile::Integer && report.tier != Some(spirv::Tier::Integer) {
+    let integers = matches!(profile, Profile::Integer | Profile::Wide);
+    if integers && report.tier != Some(spirv::Tier::Integer) {
         return Err("the kernel is declared tier I, and uses tier F functions".to_owned());
     }
     Ok(words)

@@ -10,6 +10,8 @@ pub enum Element {
     Uint,
     /// `uvec4`, 16 bytes.
     Uvec4,
+    /// `u64vec4`, 32 bytes: eight words, for modules of [`Profile::Wide`].
+    U64vec4,
     /// So many `uvec4` in a uniform block, at most 1024: what all invocations read alike.
     /// llvmpipe loads from other buffers lane by lane, thirty times slower.
     Rows(u32),
@@ -34,7 +36,7 @@ impl Binding {
     #[must_use]
     pub fn uniform(&self) -> Option<u64> {
         match self.element {
-            Element::Uint | Element::Uvec4 => None,
+            Element::Uint | Element::Uvec4 | Element::U64vec4 => None,
             Element::Rows(rows) => Some(16 * u64::from(rows)),
         }
     }
@@ -85,6 +87,8 @@ pub struct Kernel {
 pub enum Profile {
     /// Tier I: integers and exactly representable floats.
     Integer,
+    /// The same with integers of 64 bits, where the device has them.
+    Wide,
     /// Tier F: float + - * besides, never contracted.
     Float,
     /// The device's own functions.
@@ -131,10 +135,11 @@ impl Kernel {
             let (packing, class, array) = match b.element {
                 Element::Uint => ("std430", "buffer", format!("uint {}[]", b.name)),
                 Element::Uvec4 => ("std430", "buffer", format!("uvec4 {}[]", b.name)),
+                Element::U64vec4 => ("std430", "buffer", format!("u64vec4 {}[]", b.name)),
                 Element::Rows(rows) => ("std140", "uniform", format!("uvec4 {}[{rows}]", b.name)),
             };
             let access = match b.element {
-                Element::Uint | Element::Uvec4 if b.input => "readonly ",
+                Element::Uint | Element::Uvec4 | Element::U64vec4 if b.input => "readonly ",
                 _ => "",
             };
             let _ = writeln!(

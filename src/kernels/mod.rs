@@ -12,6 +12,7 @@ mod points;
 mod records;
 mod reducer;
 mod void_and_cluster;
+mod way;
 
 pub use elementary::Elementary;
 pub use estimator::Estimator;

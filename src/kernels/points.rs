@@ -1,11 +1,12 @@
 //! Points of a request in a buffer on the device, chunk by chunk.
 
-use super::{groups, pipeline, spirv};
+use super::way::Way;
+use super::{groups, spirv};
 use crate::Result;
 use crate::catalog::{Output, Profile, Request};
 use crate::interface::WorkPush;
 use crate::variant::{FusedMap, Plan, Work, general, plan};
-use crate::vulkan::{Access, Buffer, BufferSlice, Device, DeviceKind, Pipeline, Recording, Timing};
+use crate::vulkan::{Access, Buffer, BufferSlice, Device, DeviceKind, Recording, Timing};
 use std::sync::Arc;
 
 /// Bytes of a result buffer at most: well below the 128 MiB that the smallest drivers
@@ -15,12 +16,12 @@ pub(super) const BUFFER_BYTES: u64 = 64 << 20;
 /// The kernel of a request and the buffer that it fills.
 pub(super) struct Points {
     request: Request,
-    plan: Plan,
-    pipelines: Vec<Arc<Pipeline>>,
+    way: Arc<Way>,
+    /// For points from an index on that `way` does not allow; made at first use.
+    unaligned: Option<Arc<Way>>,
     results: Buffer,
     /// Of recorded work: whole invocations, of which a copy takes what is asked.
     tail: Option<Buffer>,
-    table: Option<Buffer>,
     device: Arc<Device>,
     limit: u64,
 }
@@ -36,11 +37,6 @@ impl Points {
         access: Access,
         most: u64,
     ) -> Result<Self> {
-        let pipelines = plan
-            .specializations
-            .iter()
-            .map(|values| pipeline(device, plan.kernel, words, values).map(Arc::new))
-            .collect::<Result<Vec<_>>>()?;
         let point_bytes = 4 * u64::from(request.words_per_point());
         // Whole invocations: a tile each, or four words. Those of shorter tiles may end past
         // whole ones of the longest.
@@ -51,17 +47,12 @@ impl Points {
         let even = plan.tiles.iter().all(|tile| *tile == plan.tile);
         let spare = if even { 0 } else { unit };
         let results = Buffer::new(device, bytes + spare, access)?;
-        let table = match &plan.table {
-            Some(words) => Some(table(device, words)?),
-            None => None,
-        };
         Ok(Self {
             request: request.clone(),
-            plan,
-            pipelines,
+            way: Arc::new(Way::new(device, plan, words)?),
+            unaligned: None,
             results,
             tail: None,
-            table,
             device: Arc::clone(device),
             limit: bytes / point_bytes,
         })
@@ -69,7 +60,7 @@ impl Points {
 
     /// The kernel that runs.
     pub(super) fn kernel_name(&self) -> &'static str {
-        self.plan.kernel.name
+        self.way.plan.kernel.name
     }
 
     /// Points that one dispatch can make.
@@ -79,7 +70,7 @@ impl Points {
 
     /// Points that an invocation makes, or four words.
     pub(super) fn tile(&self) -> u64 {
-        u64::from(self.plan.tile.max(4))
+        u64::from(self.way.plan.tile.max(4))
     }
 
     /// The device.
@@ -93,17 +84,17 @@ impl Points {
     }
 
     /// Makes up to [`Self::limit`] points, `start` counted from the request's first.
-    pub(super) fn dispatch(&self, start: u64, points: u64) -> Result<Timing> {
-        let mut buffers = vec![(0, &self.results)];
-        if let Some(table) = &self.table {
-            buffers.push((1, table));
-        }
+    pub(super) fn dispatch(&mut self, start: u64, points: u64) -> Result<Timing> {
+        let way = self.way(start)?;
+        let buffers: Vec<_> = std::iter::once((0, &self.results))
+            .chain(way.table.iter().map(|table| (1, table)))
+            .collect();
         let mut total = Timing {
             device_ns: Some(0.0),
             host_ns: 0.0,
         };
-        for (pipeline, unit) in self.parts() {
-            let (push, groups) = self.call(start, self.invocations(points, unit));
+        for (pipeline, unit) in way.parts() {
+            let (push, groups) = self.call(&way, start, self.invocations(points, unit));
             add(
                 &mut total,
                 self.device.run(pipeline, &buffers, &push, groups)?,
@@ -114,15 +105,16 @@ impl Points {
 
     /// Records the same, into the buffer.
     pub(super) fn record(
-        &self,
+        &mut self,
         recording: &mut Recording,
         start: u64,
         points: u64,
     ) -> Result<BufferSlice> {
+        let way = self.way(start)?;
         let results = self.results.whole();
-        for (pipeline, unit) in self.parts() {
-            let call = self.call(start, self.invocations(points, unit));
-            self.record_call(recording, pipeline, &results, call)?;
+        for (pipeline, unit) in way.parts() {
+            let call = self.call(&way, start, self.invocations(points, unit));
+            way.record(recording, pipeline, &results, call)?;
         }
         Ok(results)
     }
@@ -136,15 +128,16 @@ impl Points {
         points: u64,
         target: &BufferSlice,
     ) -> Result<()> {
+        let way = self.way(start)?;
         let mut whole = points;
-        for (pipeline, unit) in self.parts() {
+        for (pipeline, unit) in way.parts() {
             let invocations = self.work(points, unit) / unit.unwrap_or(4);
             whole = whole.min(match unit {
                 Some(tile) => invocations * tile,
                 None => 4 * invocations / self.width(),
             });
-            let call = self.call(start, invocations as u32);
-            self.record_call(recording, pipeline, target, call)?;
+            let call = self.call(&way, start, invocations as u32);
+            way.record(recording, pipeline, target, call)?;
         }
         let left = points - whole;
         if left == 0 {
@@ -154,9 +147,9 @@ impl Points {
         // Fewer than a tile are left, and invocations end within the next.
         let bytes = 2 * self.tile() * row;
         let tail = tail(&mut self.tail, &self.device, bytes)?;
-        for (pipeline, unit) in self.parts() {
-            let call = self.call(start + whole, self.invocations(left, unit));
-            self.record_call(recording, pipeline, &tail, call)?;
+        for (pipeline, unit) in way.parts() {
+            let call = self.call(&way, start + whole, self.invocations(left, unit));
+            way.record(recording, pipeline, &tail, call)?;
         }
         recording.copy(
             &tail.part(0, left * row),
@@ -164,26 +157,23 @@ impl Points {
         )
     }
 
-    fn record_call(
-        &self,
-        recording: &mut Recording,
-        pipeline: &Arc<Pipeline>,
-        results: &BufferSlice,
-        (push, groups): (Vec<u8>, u64),
-    ) -> Result<()> {
-        if groups == 0 {
-            return Ok(());
+    /// How to make points from `start` on. Where the kernel does not allow that index, by one of
+    /// shorter tiles, which end wherever its own do.
+    fn way(&mut self, start: u64) -> Result<Arc<Way>> {
+        let first = self.request.first + start;
+        if first.is_multiple_of(self.way.plan.aligned.into()) {
+            return Ok(Arc::clone(&self.way));
         }
-        let mut slices = vec![(0, results.clone())];
-        slices.extend(self.table.iter().map(|table| (1, table.whole())));
-        recording.dispatch(pipeline, &slices, &push, groups)
-    }
-
-    /// The pipelines that points take, and the points of an invocation; none of the general
-    /// kernel, of which one makes four words.
-    fn parts(&self) -> impl Iterator<Item = (&Arc<Pipeline>, Option<u64>)> {
-        let tiles = self.plan.tiles.iter().map(|tile| Some(u64::from(*tile)));
-        self.pipelines.iter().zip(tiles.chain([None]))
+        if let Some(way) = &self.unaligned {
+            return Ok(Arc::clone(way));
+        }
+        let plan = plan(&Work {
+            cpu: false,
+            ..work(&self.device, &self.request)
+        });
+        let words = module(&plan)?;
+        let way = Arc::new(Way::new(&self.device, plan, &words)?);
+        Ok(Arc::clone(self.unaligned.insert(way)))
     }
 
     /// Invocations that make so many points, the last of them perhaps more.
@@ -201,13 +191,13 @@ impl Points {
     }
 
     /// Push constants and groups.
-    fn call(&self, start: u64, invocations: u32) -> (Vec<u8>, u64) {
+    fn call(&self, way: &Way, start: u64, invocations: u32) -> (Vec<u8>, u64) {
         let push = WorkPush {
             first: (self.request.first + start) as u32,
             invocations,
             stride: 1,
         };
-        (push.bytes(), groups(self.plan.kernel, invocations))
+        (push.bytes(), groups(way.plan.kernel, invocations))
     }
 
     fn width(&self) -> u64 {
@@ -244,23 +234,29 @@ pub(super) fn table(device: &Arc<Device>, words: &[u32]) -> Result<Buffer> {
 
 /// The kernel for a request on a device.
 pub(super) fn choose(device: &Device, request: &Request, always_general: bool) -> Plan {
-    let mapping = request.map.as_ref();
-    let work = Work {
+    let work = work(device, request);
+    if always_general && work.map.is_none() {
+        general(&work)
+    } else {
+        plan(&work)
+    }
+}
+
+/// A request on a device in plain words.
+fn work<'a>(device: &Device, request: &'a Request) -> Work<'a> {
+    Work {
         columns: &request.columns,
+        first: request.first,
         points: request.count,
         fractions: request.output == Output::Fractions,
-        map: mapping.map(|mapping| FusedMap {
+        map: request.map.as_ref().map(|mapping| FusedMap {
             id: mapping.map().id,
             coordinates: mapping.map().coordinates,
             with_pdf: request.with_pdf,
         }),
         native: request.profile == Profile::Native,
         cpu: device.info().kind == DeviceKind::Cpu,
-    };
-    if always_general && mapping.is_none() {
-        general(&work)
-    } else {
-        plan(&work)
+        int64: device.has_int64(),
     }
 }
 

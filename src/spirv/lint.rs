@@ -148,6 +148,7 @@ impl Linter<'_> {
                 let number = instruction.operand(1)?;
                 match Capability::from_u32(number) {
                     Some(Capability::Shader | Capability::Matrix) => None,
+                    Some(Capability::Int64) if self.policy.wide => None,
                     Some(other) => {
                         Some(format!("{other:?} is not on every device: only Shader is"))
                     }
@@ -165,6 +166,7 @@ impl Linter<'_> {
             },
             Op::TypeFloat | Op::TypeInt => match instruction.operand(2)? {
                 32 => None,
+                64 if op == Op::TypeInt && self.policy.wide => None,
                 width => Some(format!(
                     "types of {width} bits are not on every device: use 32"
                 )),

@@ -69,6 +69,8 @@ pub struct Policy {
     /// Whether the module must give the same bits everywhere: whitelists,
     /// `NoContraction` and names are then demanded.
     pub(super) exact: bool,
+    /// Whether integers may have 64 bits, for devices that have them.
+    pub(super) wide: bool,
     /// The functions that may do more than the whitelist.
     pub(super) allowances: Vec<Allowance>,
 }
@@ -78,6 +80,7 @@ pub struct Policy {
 pub fn exact_policy() -> Policy {
     Policy {
         exact: true,
+        wide: false,
         allowances: ALLOWANCES.to_vec(),
     }
 }
@@ -88,6 +91,7 @@ pub fn exact_policy() -> Policy {
 pub fn native_policy() -> Policy {
     Policy {
         exact: false,
+        wide: false,
         allowances: Vec::new(),
     }
 }
@@ -97,6 +101,13 @@ impl Policy {
     #[must_use]
     pub fn with(mut self, allowance: Allowance) -> Self {
         self.allowances.push(allowance);
+        self
+    }
+
+    /// This policy for devices that have integers of 64 bits.
+    #[must_use]
+    pub fn wide(mut self) -> Self {
+        self.wide = true;
         self
     }
 

@@ -239,7 +239,7 @@ fn digits(base: u32, scramble: DigitScramble, seed: u32, window: u32) -> Vec<u32
         block *= r.base;
         low += 1;
     }
-    let mut words = vec![kind, seed, low, block, r.power / block];
+    let mut words = vec![kind, seed, low, block, 0];
     words.extend(base_words(r));
     words
 }

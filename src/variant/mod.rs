@@ -3,7 +3,9 @@
 mod bases;
 mod columns;
 mod estimate;
+mod places;
 mod plan;
+mod wide;
 
 pub use bases::{odometer_base, radical_base};
 pub use columns::{LinearNet, column_table, column_words, linear_net, longest_run};

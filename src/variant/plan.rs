@@ -1,6 +1,8 @@
 //! Which kernel a job runs, with which constants.
 
 use super::columns::{column_words, longest_run, padded};
+use super::places::{PLACES_RUN, is_permuted, places};
+use super::wide::wide;
 use crate::interface::{COLUMN_STRIDE, Column, Family, KERNELS, KINDS, Kernel, output};
 
 /// A job in plain words.
@@ -8,6 +10,8 @@ use crate::interface::{COLUMN_STRIDE, Column, Family, KERNELS, KINDS, Kernel, ou
 pub struct Work<'a> {
     /// The columns of the points.
     pub columns: &'a [Column],
+    /// Index of the first point.
+    pub first: u64,
     /// Number of points.
     pub points: u64,
     /// Fractions instead of floats.
@@ -19,6 +23,8 @@ pub struct Work<'a> {
     pub native: bool,
     /// The device is a CPU, which likes long runs of wide stores per invocation.
     pub cpu: bool,
+    /// The device has integers of 64 bits, which some devices store faster.
+    pub int64: bool,
 }
 
 /// A map in the kernel that makes its points.
@@ -45,6 +51,8 @@ pub struct Plan {
     /// Points of an invocation in the dispatch where it makes most; 0 for the general kernel,
     /// which makes four words. Of estimates those of a tile, of which an invocation sums some.
     pub tile: u32,
+    /// The index of the first point must be a multiple of this.
+    pub aligned: u32,
     /// Points of an invocation in each dispatch, where one takes four columns of many; else
     /// empty.
     pub tiles: Vec<u32>,
@@ -75,6 +83,10 @@ pub fn plan(work: &Work) -> Plan {
     } else {
         output::FLOATS
     };
+    if let Some(mut plan) = wide(work) {
+        plan.set("OUTPUT", output);
+        return plan;
+    }
     let tile = [
         "generate_tile_1",
         "generate_tile_2",
@@ -125,12 +137,13 @@ pub(super) fn tabled(kernel: &'static Kernel, columns: &[Column], window: u32) -
         specializations: vec![values],
         table: Some(words.into_iter().flat_map(padded).collect()),
         tile: 0,
+        aligned: 1,
         tiles: Vec::new(),
     }
 }
 
 /// A bit for each kind of column that occurs.
-fn kinds(columns: &[Vec<u32>]) -> u32 {
+pub(super) fn kinds(columns: &[Vec<u32>]) -> u32 {
     let kind = |words: &Vec<u32>| words.first().map_or(0, |kind| 1 << (kind & 31));
     columns.iter().map(kind).fold(0, |kinds, kind| kinds | kind)
 }
@@ -142,14 +155,24 @@ pub(super) fn tiled(name: &str, columns: &[Column], cpu: bool) -> Plan {
         specializations: Vec::new(),
         table: None,
         tile: 0,
+        aligned: 1,
         tiles: Vec::new(),
     };
+    let has_places = plan.kernel.bindings.iter().any(|b| b.name == "places");
+    let mut table = Vec::new();
     for part in columns.chunks(4) {
         // A GPU's lanes should write side by side; a CPU's run on by themselves, the longer
         // the better.
-        let longest = part.iter().map(longest_run).min();
+        let run = |column: &Column| match has_places && is_permuted(column) {
+            true => PLACES_RUN,
+            false => longest_run(column),
+        };
+        let longest = part.iter().map(run).min();
         let tile = if cpu { longest.unwrap_or(16) } else { 4 };
-        let words: Vec<_> = part.iter().map(|&c| column_words(c, tile)).collect();
+        let mut words: Vec<_> = part.iter().map(|&c| column_words(c, tile)).collect();
+        for (words, column) in words.iter_mut().zip(part).filter(|_| has_places) {
+            place(words, column, &mut table);
+        }
         let mut values = vec![(KINDS, kinds(&words))];
         for (index, words) in (0..).zip(words) {
             values.extend((16 + COLUMN_STRIDE * index..).zip(words));
@@ -161,11 +184,27 @@ pub(super) fn tiled(name: &str, columns: &[Column], cpu: bool) -> Plan {
     for part in 0..plan.tiles.len() {
         plan.set_in(part, "TILE", plan.tiles[part]);
     }
+    if has_places {
+        // Kernels of other scrambles do not look into it, but a buffer has bytes.
+        table.resize(table.len().max(4), 0);
+        plan.table = Some(table);
+    }
     plan.set("ROW", columns.len().div_ceil(4) as u32);
     for part in 0..plan.specializations.len() {
         plan.set_in(part, "PART", part as u32);
     }
     plan
+}
+
+/// Appends the places of a permuted column to the table, and writes where they are.
+fn place(words: &mut [u32], column: &Column, table: &mut Vec<u32>) {
+    let (Column::Digits { base, seed, .. }, true) = (column, is_permuted(column)) else {
+        return;
+    };
+    if let [_, _, low, _, at, ..] = words {
+        *at = table.len() as u32;
+        table.extend(places(*base, *seed, *low));
+    }
 }
 
 impl Plan {
@@ -177,7 +216,7 @@ impl Plan {
     }
 
     /// The same in one dispatch.
-    fn set_in(&mut self, part: usize, name: &str, value: u32) {
+    pub(super) fn set_in(&mut self, part: usize, name: &str, value: u32) {
         let constant = self.kernel.constants.iter().find(|c| c.name == name);
         if let (Some(constant), Some(values)) = (constant, self.specializations.get_mut(part)) {
             values.retain(|(id, _)| *id != constant.id);

@@ -49,8 +49,8 @@ pub struct Device {
 }
 
 impl Device {
-    /// Opens a device that [`Instance::devices`] listed, without any optional
-    /// feature.
+    /// Opens a device that [`Instance::devices`] listed, of the optional features with 64-bit
+    /// integers alone, where it has them.
     ///
     /// # Errors
     /// [`Error::InadequateDevice`] when it lacks a compute queue or the baseline,
@@ -77,8 +77,10 @@ impl Device {
         let queues = [vk::DeviceQueueCreateInfo::default()
             .queue_family_index(family)
             .queue_priorities(&[1.0])];
+        let features = vk::PhysicalDeviceFeatures::default().shader_int64(info.features.int64);
         let create = vk::DeviceCreateInfo::default()
             .queue_create_infos(&queues)
+            .enabled_features(&features)
             .enabled_extension_names(&extensions);
         // SAFETY: `physical` belongs to the instance, and `create` and what it
         // points to live until the call returns.
@@ -221,6 +223,13 @@ impl Device {
     #[must_use]
     pub fn queue(&self) -> vk::Queue {
         self.queue
+    }
+
+    /// Whether shaders may use integers of 64 bits: where [`Device::open`] found them. Of a
+    /// device of the caller's nobody knows what was enabled.
+    #[must_use]
+    pub fn has_int64(&self) -> bool {
+        self.owned && self.info.features.int64
     }
 
     /// The family of the compute queue.

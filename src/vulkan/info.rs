@@ -57,7 +57,7 @@ pub struct DeviceInfo {
     pub driver_uuid: String,
     /// What it can take.
     pub limits: Limits,
-    /// Optional features that are present (none of them is used).
+    /// Optional features that are present.
     pub features: Features,
     /// What it promises about 32-bit float arithmetic.
     pub float_controls: FloatControls,
@@ -92,7 +92,7 @@ pub struct Limits {
     pub memory_bytes: u64,
 }
 
-/// Optional features, reported only: nothing here is ever required.
+/// Optional features. Nothing here is ever required; 64-bit integers are used where they are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Features {
     /// `double` in shaders.

@@ -42,7 +42,8 @@
 //! | the list of devices changes after it was read | the device of the same UUID and name is opened; [`Error::UnknownDevice`] where it has gone |
 //! | less than the baseline of [`Device::open`]: storage buffers and their bytes, push constants, invocations, groups | [`Error::InadequateDevice`] of [`Device::open`], with both numbers |
 //! | a queue family of the caller's that is not there, or cannot compute | [`Error::Arguments`] of [`Device::from_existing`] |
-//! | no `int64`, no `float64`, no subgroup operations | nothing: no feature is ever enabled, and the stock kernels use none |
+//! | no `int64` | kernels that store 16 bytes at a time in place of 32, with the same words; no other feature is ever enabled |
+//! | no `float64`, no subgroup operations | nothing: the stock kernels use none |
 //! | no timestamps, or a clock that cannot be read | [`Timing::device_ns`] is `None`; the results are the same |
 //! | a buffer of more bytes than can be bound or allocated at once | [`Error::Arguments`] |
 //! | memory of the host or of the device runs out, a mapping fails | [`Error::Vulkan`] with the call; what was half made is destroyed, and all else can be used again |

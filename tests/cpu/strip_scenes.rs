@@ -216,11 +216,13 @@ fn bare_points_are_a_quarter_of_the_general_kernel() {
         let needs = Needs::of_points(&scene, 2, None).unwrap();
         let general = general(&Work {
             columns: &needs.request.columns,
+            first: 0,
             points: needs.request.count,
             fractions: true,
             map: None,
             native: false,
             cpu: false,
+            int64: false,
         });
         let general = spirv(general.kernel.name).unwrap();
         let bytes = stripped(&scene, &needs).spirv.len();

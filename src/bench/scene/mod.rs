@@ -178,11 +178,13 @@ fn full_size(needs: &Needs) -> Result<Size> {
 fn general_plan(needs: &Needs) -> Plan {
     general(&Work {
         columns: &needs.request.columns,
+        first: needs.request.first,
         points: needs.request.count,
         fractions: true,
         map: None,
         native: false,
         cpu: false,
+        int64: false,
     })
 }
 

@@ -41,13 +41,13 @@ pub(super) const INDEXED: Constant = Constant {
     default: 0,
 };
 
-/// uvec4s of a row, of which the kernel writes one.
+/// Elements of a row of results, of which the kernel writes some.
 pub(super) const ROW: Constant = Constant {
     id: 7,
     name: "ROW",
     default: 1,
 };
-/// Which of them.
+/// Which part of the row it writes.
 pub(super) const PART: Constant = Constant {
     id: 8,
     name: "PART",
@@ -107,10 +107,21 @@ pub(super) const RESULTS: Binding = Binding {
     element: Element::Uvec4,
     input: false,
 };
+pub(super) const WIDE_RESULTS: Binding = Binding {
+    element: Element::U64vec4,
+    ..RESULTS
+};
 pub(super) const COLUMNS: Binding = Binding {
     binding: 1,
     name: "columns",
     element: Element::Uvec4,
+    input: true,
+};
+/// What the places in a block contribute to permuted columns, one column after the other.
+pub(super) const PLACES: Binding = Binding {
+    binding: 1,
+    name: "places",
+    element: Element::Uint,
     input: true,
 };
 /// The columns of an estimate, of which the widest take ten rows.

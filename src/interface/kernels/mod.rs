@@ -2,6 +2,7 @@
 
 mod constants;
 mod points;
+mod wide;
 
 use super::{
     Binding, Constant, Element, FAMILIES, IrradiancePush, Kernel, MaskPush, PairsPush, Profile,
@@ -12,6 +13,8 @@ use constants::{
     RESULTS, TASK, TOROIDAL, WITH_PDF, WORK,
 };
 use points::{POINT_KERNELS, POINTS_OF, points};
+use wide::WIDE;
+
 /// A group of maps; its tables, if it has any, follow the points.
 const fn maps(
     name: &'static str,
@@ -290,7 +293,9 @@ const EVALUATED: usize = MADE + EVALUATORS.len();
 
 const MAPS_END: usize = EVALUATED + MAPPERS.len();
 
-const COUNT: usize = MAPS_END + OTHERS.len();
+const OTHERS_END: usize = MAPS_END + OTHERS.len();
+
+const COUNT: usize = OTHERS_END + WIDE.len();
 
 static ALL: [Kernel; COUNT] = {
     let mut all = [points(); COUNT];
@@ -302,8 +307,10 @@ static ALL: [Kernel; COUNT] = {
             EVALUATORS[at - MADE]
         } else if at < MAPS_END {
             MAPPERS[at - EVALUATED]
-        } else {
+        } else if at < OTHERS_END {
             OTHERS[at - MAPS_END]
+        } else {
+            WIDE[at - OTHERS_END]
         };
         at += 1;
     }

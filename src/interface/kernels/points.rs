@@ -3,7 +3,8 @@
 use super::super::{FAMILIES, Family, Kernel, Profile};
 use super::constants::{
     COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, FEW_COLUMNS, INTEGRAND, MAP, OUTPUT,
-    PART, PIXEL_ROWS, RESULTS, ROW, SIDE_BY_SIDE, TABLES, TILE, WIDE_COEFFICIENTS, WITH_PDF, WORK,
+    PART, PIXEL_ROWS, PLACES, RESULTS, ROW, SIDE_BY_SIDE, TABLES, TILE, WIDE_COEFFICIENTS,
+    WITH_PDF, WORK,
 };
 
 /// The kernels of a family that make points: the general one, tiles of one to four
@@ -13,7 +14,7 @@ use super::constants::{
 pub(super) const POINT_KERNELS: usize = 16;
 
 macro_rules! point_kernels {
-    ($family:expr, $suffix:literal) => {
+    ($family:expr, $suffix:literal, $bindings:expr) => {
         [
             Kernel {
                 name: concat!("generate", $suffix),
@@ -27,24 +28,28 @@ macro_rules! point_kernels {
             Kernel {
                 name: concat!("generate_tile_1", $suffix),
                 defines: &[("TILE_COLUMNS", "1")],
+                bindings: $bindings,
                 columns: Some(($family, 1)),
                 ..points()
             },
             Kernel {
                 name: concat!("generate_tile_2", $suffix),
                 defines: &[("TILE_COLUMNS", "2")],
+                bindings: $bindings,
                 columns: Some(($family, 2)),
                 ..points()
             },
             Kernel {
                 name: concat!("generate_tile_3", $suffix),
                 defines: &[("TILE_COLUMNS", "3")],
+                bindings: $bindings,
                 columns: Some(($family, 3)),
                 ..points()
             },
             Kernel {
                 name: concat!("generate_tile_4", $suffix),
                 defines: &[("TILE_COLUMNS", "4")],
+                bindings: $bindings,
                 constants: &[OUTPUT, TILE, ROW, PART],
                 columns: Some(($family, 4)),
                 ..points()
@@ -164,10 +169,10 @@ const fn estimates() -> Kernel {
 }
 
 pub(super) const POINTS_OF: [[Kernel; POINT_KERNELS]; FAMILIES.len()] = [
-    point_kernels!(Family::Radical, ""),
-    point_kernels!(Family::Net, "_net"),
-    point_kernels!(Family::Random, "_random"),
-    point_kernels!(Family::Strata, "_strata"),
-    point_kernels!(Family::Digits, "_digits"),
-    point_kernels!(Family::Lattice, "_lattice"),
+    point_kernels!(Family::Radical, "", &[RESULTS]),
+    point_kernels!(Family::Net, "_net", &[RESULTS]),
+    point_kernels!(Family::Random, "_random", &[RESULTS]),
+    point_kernels!(Family::Strata, "_strata", &[RESULTS]),
+    point_kernels!(Family::Digits, "_digits", &[RESULTS, PLACES]),
+    point_kernels!(Family::Lattice, "_lattice", &[RESULTS]),
 ];

@@ -101,6 +101,7 @@ impl Interface {
             stride: match binding.element {
                 Element::Uint => 4,
                 Element::Uvec4 | Element::Rows(_) => 16,
+                Element::U64vec4 => 32,
             },
             read_only: binding.input,
         };

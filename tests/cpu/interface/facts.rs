@@ -13,6 +13,11 @@ const UINT: Type = Type::Scalar(ScalarType::Integer {
     is_signed: false,
 });
 
+const UINT64: Type = Type::Scalar(ScalarType::Integer {
+    bits: 64,
+    is_signed: false,
+});
+
 /// The interface of a module or of a row, one line a fact.
 pub type Facts = BTreeSet<String>;
 
@@ -32,6 +37,7 @@ pub fn promised(row: &Kernel) -> Facts {
         let (element, stride) = match b.element {
             Element::Uint => ("uint[]".to_owned(), 4),
             Element::Uvec4 => ("uvec4[]".to_owned(), 16),
+            Element::U64vec4 => ("u64vec4[]".to_owned(), 32),
             Element::Rows(rows) => (format!("uvec4[{rows}]"), 16),
         };
         let access = match (b.element, b.input) {
@@ -153,6 +159,9 @@ fn buffer(ty: &Type, access: &str) -> String {
         element if *element == UINT => "uint".to_owned(),
         Type::Vector(v) if Type::Scalar(v.scalar_ty.clone()) == UINT => {
             format!("uvec{}", v.nscalar)
+        }
+        Type::Vector(v) if Type::Scalar(v.scalar_ty.clone()) == UINT64 => {
+            format!("u64vec{}", v.nscalar)
         }
         other => format!("{other:?}"),
     };

@@ -69,6 +69,8 @@ pub enum Target {
     Generate(fn() -> Options),
     /// Points by the kernel that the request gets: a tile, or fused with a map.
     Tile(fn() -> Options),
+    /// Points, by a kernel without a loop where the device has one.
+    Wide(fn() -> Options),
     /// A task of a map, with all its example parameters.
     Map(&'static str, u32),
     /// An integrand with all its examples, by the general kernel.
@@ -143,7 +145,7 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
         }
         Target::Mask => VoidAndCluster::with_module(device, &words)
             .and_then(|kernel| check::compare_mask(&kernel)),
-        Target::Generate(options) | Target::Tile(options) => {
+        Target::Generate(options) | Target::Tile(options) | Target::Wide(options) => {
             let case = Case {
                 name: "points".into(),
                 kernel: "points",
@@ -184,7 +186,7 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         Target::Nearest => named("nearest"),
         Target::Reduce(_) => named("reduce"),
         Target::Mask => named("void_and_cluster"),
-        Target::Generate(options) | Target::Tile(options) => {
+        Target::Generate(options) | Target::Tile(options) | Target::Wide(options) => {
             planned(device, target, &request(options)).kernel
         }
     }
@@ -280,6 +282,7 @@ fn request(options: fn() -> Options) -> Request {
 fn planned(device: &Device, target: Target, request: &Request) -> Plan {
     let work = Work {
         columns: &request.columns,
+        first: request.first,
         points: request.count,
         fractions: request.output == Output::Fractions,
         map: request.map.as_ref().map(|mapping| FusedMap {
@@ -289,9 +292,19 @@ fn planned(device: &Device, target: Target, request: &Request) -> Plan {
         }),
         native: false,
         cpu: device.info().kind == DeviceKind::Cpu,
+        int64: device.has_int64(),
     };
     match target {
         Target::Generate(_) => general(&work),
-        _ => plan(&work),
+        // As for many more points.
+        Target::Wide(_) => plan(&Work {
+            points: 1 << 26,
+            ..work
+        }),
+        // As for fewer, or for devices without integers of 64 bits.
+        _ => plan(&Work {
+            int64: false,
+            ..work
+        }),
     }
 }

@@ -4,7 +4,7 @@ use corput::catalog::{Options, Scramble, Sequence};
 
 use super::Killer::Mismatch;
 use super::{Mutant, mutant, twice};
-use crate::harness::Target::{Function, Generate, Tile};
+use crate::harness::Target::{Function, Generate, Tile, Wide};
 
 /// So few points of other sequences that a tile kernel still serves them; the last ones, where
 /// a sequence goes on to 2^32.
@@ -21,6 +21,10 @@ fn of(sequence: Sequence, scramble: Option<Scramble>) -> Options {
 
 fn sobol() -> Options {
     of(Sequence::Sobol, Some(Scramble::Shift))
+}
+
+fn van_der_corput() -> Options {
+    of(Sequence::VanDerCorput, None)
 }
 
 fn sobol_owen() -> Options {
@@ -238,13 +242,12 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("the first two directions swapped", Mismatch, Generate(sobol),
         "kernels/column_net.glsl", "Directions(b.z, b.w, c.x,", "Directions(b.w, b.z, c.x,"),
     mutant("words of a seed swapped", Mismatch, Tile(sobol_owen),
-        "kernels/column_net.glsl", "corput_owen(x, c.dimension, uvec2(c.seed_low, c.seed_high))",
-        "corput_owen(x, c.dimension, uvec2(c.seed_high, c.seed_low))"),
+        "kernels/column_net.glsl", "uvec2(low, high)", "uvec2(high, low)"),
     mutant("a dimension for a seed", Mismatch, Generate(sobol_owen),
-        "kernels/column_net.glsl", "corput_owen(x, c.dimension, uvec2(c.seed_low, c.seed_high))",
-        "corput_owen(x, c.seed_low, uvec2(c.dimension, c.seed_high))"),
+        "kernels/column_net.glsl", "corput_owen(x, dimension, uvec2(low, high))",
+        "corput_owen(x, low, uvec2(dimension, high))"),
     mutant("the fast scramble by the shift", Mismatch, Tile(sobol_owen_hash),
-        "kernels/column_net.glsl", "corput_owen_hash_reversed(x, c.hash)", "corput_owen_hash_reversed(x, c.shift)"),
+        "kernels/column_net.glsl", "corput_owen_hash_reversed(x, hash)", "corput_owen_hash_reversed(x, shift)"),
     mutant("x for y in columns of pmj02", Mismatch, Tile(pmj02),
         "kernels/column_net.glsl", "c.dimension == 0u ? p.x : p.y", "p.x"),
     mutant("a column of random numbers ignores its dimension", Mismatch, Tile(random),
@@ -283,7 +286,19 @@ pub const MUTANTS: &[Mutant] = &[
     mutant("a block's digits from the first position on", Mismatch, Tile(halton_permuted),
         "kernels/column_digits.glsl", "uint position = c.low;", "uint position = 0u;"),
     mutant("the next block's digits for a block's", Mismatch, Tile(halton_permuted),
-        "kernels/column_digits.glsl", "uvec2(own.w, y.x)", "uvec2(next.w, y.x)"),
+        "kernels/column_digits.glsl", "digits_divided(own.w, y.x, b)", "digits_divided(next.w, y.x, b)"),
+    mutant("every column's places are the first one's", Mismatch, Tile(halton_permuted),
+        "kernels/column_digits.glsl", "places[c.places + place]", "places[place]"),
+    mutant("what two divisions leave does not carry", Mismatch, Tile(halton_permuted),
+        "kernels/column_digits.glsl", "(rest >= c.base.power ? 1u : 0u)", "0u"),
+    mutant("a kernel without a loop starts without a bit", Mismatch, Wide(sobol),
+        "kernels/column_net.glsl", "NET_BIT(index, 5, d.d5) ^ ", ""),
+    mutant("a step by another direction", Mismatch, Wide(sobol),
+        "kernels/column_net.glsl", "NET_BIT(CHANGED(p), 2, COLUMN##c##_D2)", "NET_BIT(CHANGED(p), 2, COLUMN##c##_D3)"),
+    mutant("a step by the bits of the next point", Mismatch, Wide(van_der_corput),
+        "kernels/column_radical.glsl", "corput_van_der_corput(uint(p) ^ (uint(p) + 1u))", "corput_van_der_corput(uint(p) + 1u)"),
+    mutant("a pair of words twice", Mismatch, Wide(random),
+        "kernels/generate_wide.comp", "PAIR(8 * (s) + 4)", "PAIR(8 * (s) + 2)"),
     mutant("floats of Faure's inverses cut", Mismatch, Tile(halton_faure_floats),
         "kernels/column_digits.glsl", "c.kind == FAURE && c.base.base != 2u", "false"),
     mutant("floats of Faure's inverses go up in base 2", Mismatch, Generate(halton_faure_floats),
