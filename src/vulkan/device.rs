@@ -77,11 +77,13 @@ impl Device {
         let queues = [vk::DeviceQueueCreateInfo::default()
             .queue_family_index(family)
             .queue_priorities(&[1.0])];
-        let features = vk::PhysicalDeviceFeatures::default().shader_int64(info.features.int64);
-        let create = vk::DeviceCreateInfo::default()
+        let features = vk::PhysicalDeviceFeatures::default().shader_int64(true);
+        let mut create = vk::DeviceCreateInfo::default()
             .queue_create_infos(&queues)
-            .enabled_features(&features)
             .enabled_extension_names(&extensions);
+        if info.features.int64 {
+            create = create.enabled_features(&features);
+        }
         // SAFETY: `physical` belongs to the instance, and `create` and what it
         // points to live until the call returns.
         let raw = unsafe { instance.raw().create_device(physical, &create, None) }
