@@ -25,6 +25,7 @@ mod support;
 mod verify;
 
 use desk::{Desk, Run, repository};
+use shards::Worker;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
