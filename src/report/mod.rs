@@ -22,6 +22,7 @@
 //! ```
 
 mod aside;
+mod bounded;
 mod chunked;
 mod compare;
 mod difference;
@@ -41,6 +42,8 @@ mod text;
 mod whole;
 pub mod zarr;
 
+#[cfg(any(feature = "gpu", feature = "scenes"))]
+pub(crate) use bounded::{bytes as bounded_bytes, text as bounded_text};
 pub use chunked::{Chunk, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows};
 pub use compare::Comparison;
 pub use element::Element;
