@@ -32,6 +32,7 @@ mod encode;
 mod escape;
 mod format;
 mod json;
+mod lock;
 mod page;
 mod place;
 mod read;
@@ -126,6 +127,8 @@ pub struct Document {
     place: Place,
     /// The target as messages name it.
     path: PathBuf,
+    /// Of a file with a FILE.json, what keeps others from it.
+    turn: Option<chunked::Turn>,
 }
 
 impl Document {
@@ -137,7 +140,11 @@ impl Document {
     pub fn open(target: &Target) -> Result<Self> {
         // Small files are taken for binary ones.
         let (place, path) = Place::open(target, Format::Npy)?;
-        Ok(Self { place, path })
+        Ok(Self {
+            place,
+            path,
+            turn: None,
+        })
     }
 
     /// Writes all bytes, and gives the file its name.

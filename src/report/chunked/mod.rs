@@ -12,11 +12,13 @@ mod journal;
 mod pipeline;
 mod recover;
 mod sidecar;
+mod turn;
 
 pub use sidecar::{Origin, SIDECAR_SCHEMA, Sidecar};
 
 pub(super) use file::Chunked;
-pub(super) use sidecar::{check_free, document, recorded, save_unlocked, whole_description};
+pub(super) use sidecar::{check_free, document, recorded, save as describe, whole_description};
+pub(super) use turn::Turn;
 
 use super::Layout;
 use super::encode::Encoder;
