@@ -164,6 +164,7 @@ fn engine(args: &ConvergeArgs) -> Result<(Engine, String, Option<Arc<Instance>>)
 
 fn kept(folder: &Path, fresh: bool) -> Result<Kept> {
     create_folder(folder, "--report")?;
+    converge::check_folder(folder)?;
     let path = folder.join(UNFINISHED);
     if fresh && path.exists() {
         std::fs::remove_file(&path).map_err(|source| Error::Io {

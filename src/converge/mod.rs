@@ -30,7 +30,7 @@ pub use floor::{Floor, floor};
 pub use hits::Rarity;
 pub use kept::{Kept, key};
 #[cfg(feature = "images")]
-pub use report::write;
+pub use report::{check_folder, write};
 pub use results::{Results, SCHEMA, Series, Setting};
 pub use statistics::{Interval, Statistic, fit, median, quantile, slope};
 pub use study::{Row, Settings, Study, rows};

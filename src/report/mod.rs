@@ -33,6 +33,8 @@ mod escape;
 mod format;
 mod json;
 mod lock;
+#[cfg(feature = "gpu")]
+mod owner;
 mod page;
 mod place;
 mod read;
@@ -52,6 +54,10 @@ pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
 pub use escape::escape;
 pub use format::Format;
 pub use json::read_json;
+#[cfg(all(feature = "gpu", feature = "images"))]
+pub(crate) use owner::CARD;
+#[cfg(feature = "gpu")]
+pub(crate) use owner::STUDY;
 pub use page::page;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};

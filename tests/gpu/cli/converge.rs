@@ -205,6 +205,38 @@ fn documents_are_read_within_bounds() {
     }
 }
 
+/// The page of a study and that of a driver's card have one name.
+#[test]
+fn a_report_is_not_written_over_another() {
+    let desk = Desk::new();
+    let line = "converge --integrand x-squared --sampler random --max-count 64 --replicates 2 \
+                --device cpu --report";
+    desk.run(&format!("{line} study")).expect(0, &[]);
+    let page = desk.bytes("study/report.html");
+    desk.run("check --only unit_stratum --report study").expect(
+        2,
+        &[
+            "cannot write study/report.html: it is the report of `corput converge`",
+            "another folder with --report",
+        ],
+    );
+    assert_eq!(desk.bytes("study/report.html"), page);
+    std::fs::create_dir(desk.path("card")).unwrap();
+    std::fs::write(desk.path("card/report.html"), "a card").unwrap();
+    std::fs::write(
+        desk.path("card/report.json"),
+        "{\"schema\":\"corput-card/2\"}",
+    )
+    .unwrap();
+    for line in [format!("{line} card")] {
+        let words = ["card/report.html: it is the report of `corput check`, whose report.json"];
+        desk.run(&line).expect(2, &words);
+    }
+    assert_eq!(desk.bytes("card/report.html"), b"a card");
+    // Its own it replaces.
+    desk.run(&format!("{line} study")).expect(0, &[]);
+}
+
 #[test]
 fn the_study_of_the_tests_can_be_run() {
     let desk = Desk::new();
