@@ -356,6 +356,20 @@ pub enum Error {
         /// Chunks that it must have.
         total: u64,
     },
+    /// A study of which shards have not measured all cells.
+    #[error(
+        "study in {}: {lacking} of {total} cells are missing; run the shards that measure them, with the arguments of \
+         the first time",
+        path.display()
+    )]
+    Unmeasured {
+        /// The folder.
+        path: PathBuf,
+        /// Cells that it lacks.
+        lacking: usize,
+        /// Cells that it must have.
+        total: usize,
+    },
     /// Report cards that differ.
     #[error(
         "{differ} exact rows differ, and {missing} are in one card alone: two drivers with the same version of corput and the same options have the same hashes"

@@ -45,7 +45,8 @@ pub enum Command {
     Devices(DevicesArgs),
     /// Make points, or samples of a map over them, and write them to a file.
     Generate(Box<GenerateArgs>),
-    /// Check that a Zarr store is complete, or add estimates of several ranges exactly.
+    /// Check that a Zarr store is complete, add estimates of several ranges exactly, or write the report
+    /// of a study in shards.
     Merge(MergeArgs),
     /// Make a file of points again from its FILE.json, or the chunks of a store, and compare.
     Verify(VerifyArgs),

@@ -21,6 +21,16 @@ pub struct Standing<'a> {
 /// The share of a time that two runs of one study differ by.
 const NOISE: f64 = 0.1;
 
+/// Whether the times of these series are of one device, by its name and driver: those of several
+/// say nothing of who is faster.
+#[must_use]
+pub fn comparable(series: &[&Series]) -> bool {
+    series.windows(2).all(|pair| match pair {
+        [one, other] => one.device == other.device,
+        _ => true,
+    })
+}
+
 /// The series of one integrand that reach a relative error: random ones with the fastest
 /// first, then those of one run, which may have been lucky.
 #[must_use]

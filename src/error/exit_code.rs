@@ -12,6 +12,7 @@ impl Error {
             | Self::CardsDiffer { .. }
             | Self::Slower { .. }
             | Self::Incomplete { .. }
+            | Self::Unmeasured { .. }
             | Self::NotFinite { .. }
             | Self::Unequal { .. } => 1,
             Self::ZeroCount { .. }

@@ -49,11 +49,15 @@ pub mod zarr;
 pub(crate) use bounded::{bytes as bounded_bytes, text as bounded_text};
 pub use chunked::{Chunk, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows};
 pub use compare::Comparison;
+#[cfg(feature = "gpu")]
+pub(crate) use difference::{Difference, differences};
 pub use element::Element;
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
 pub use escape::escape;
 pub use format::Format;
 pub use json::read_json;
+#[cfg(feature = "gpu")]
+pub(crate) use lock::try_lock;
 #[cfg(all(feature = "gpu", feature = "images"))]
 pub(crate) use owner::CARD;
 #[cfg(feature = "gpu")]

@@ -20,6 +20,8 @@ mod shares;
 mod slurm;
 #[path = "store/spec.rs"]
 mod spec;
+#[path = "store/study.rs"]
+mod study;
 mod support;
 #[path = "store/verify.rs"]
 mod verify;

@@ -228,7 +228,7 @@ fn a_report_is_not_written_over_another() {
         "{\"schema\":\"corput-card/2\"}",
     )
     .unwrap();
-    for line in [format!("{line} card")] {
+    for line in [format!("{line} card"), format!("{line} card --shard 0/1")] {
         let words = ["card/report.html: it is the report of `corput check`, whose report.json"];
         desk.run(&line).expect(2, &words);
     }
