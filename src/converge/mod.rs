@@ -18,6 +18,7 @@ mod monotone;
 #[cfg(feature = "images")]
 mod report;
 mod results;
+mod series;
 mod shards;
 mod statistics;
 mod student;
@@ -34,7 +35,8 @@ pub use hits::Rarity;
 pub use kept::{Kept, key};
 #[cfg(feature = "images")]
 pub use report::{check_folder, write};
-pub use results::{Results, SCHEMA, Series, Setting};
+pub use results::{Results, SCHEMA, Setting};
+pub use series::Series;
 pub use shards::{Done, Gathered, Lacking, open_shard, run_shard};
 pub use statistics::{Interval, Statistic, fit, median, quantile, slope};
 pub use study::{Row, Settings, Study, rows};

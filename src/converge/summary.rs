@@ -1,7 +1,7 @@
 //! Who reaches an error first.
 
 use super::analysis::Reached;
-use super::results::Series;
+use super::series::Series;
 use super::statistics::Interval;
 
 /// A series at a target.
