@@ -62,7 +62,7 @@ pub fn write(results: &Results, folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(names.iter().map(|name| folder.join(name)).collect())
 }
 
-/// That [`write`] may replace the page in a folder: for what takes long before there is something
+/// That [`write()`] may replace the page in a folder: for what takes long before there is something
 /// to write.
 ///
 /// # Errors
