@@ -190,13 +190,13 @@ fn cells_that_do_not_belong_together() {
     let strange = shard(&desk, "--target 1e-5", "1/2");
     strange.expect(
         0,
-        &["warning: the shards do not fit together", "targets has"],
+        &["warning: the shards do not fit together", "targets[0] is"],
     );
     desk.run("merge out").expect(
         2,
         &[
             "cannot use out/cells-1-of-2.jsonl",
-            "cells of another study than out/cells-0-of-2.jsonl: targets has 3 entries there, and 1 here",
+            "cells of another study than out/cells-0-of-2.jsonl: targets[0] is 0.01 there",
         ],
     );
     shard(&desk, "--fresh", "1/2").expect(0, &[]);
