@@ -58,7 +58,7 @@ pub fn run(_arguments: &[String]) -> Result<bool, Box<dyn Error>> {
     let mut reference = Reference::new(&request);
     let hash = fold(&mut reference)?;
     let mut end = vec![0; 2000 * request.words_per_point() as usize];
-    reference.fill(request.count - 2000, &mut end);
+    reference.fill(request.count - 2000, &mut end)?;
     println!("CPU: {hash:016x}");
 
     let instance = Instance::new(&InstanceOptions::default())?;

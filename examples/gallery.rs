@@ -4,7 +4,7 @@
 
 use corput::blue_noise::blue_noise_points;
 use corput::bulk::Reference;
-use corput::catalog::{Options, Request, Scramble, Sequence};
+use corput::catalog::{Engine, Options, Request, Scramble, Sequence};
 use corput::plot::{GalleryStyle, Panel, Points, gallery, to_png};
 use corput::reference::unit::unit_floor;
 use corput::report::save;
@@ -84,7 +84,7 @@ fn rows() -> Vec<Row> {
 fn made(options: &Options) -> corput::Result<Vec<f32>> {
     let request = Request::new(options)?;
     let mut words = vec![0; COUNT * request.words_per_point() as usize];
-    Reference::new(&request).fill(0, &mut words);
+    Reference::new(&request).fill(0, &mut words)?;
     Ok(words.into_iter().map(f32::from_bits).collect())
 }
 

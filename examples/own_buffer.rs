@@ -6,7 +6,7 @@
 
 use ash::vk;
 use corput::bulk::Reference;
-use corput::catalog::{Map, Mapping, Options, Request, Sequence};
+use corput::catalog::{Engine, Map, Mapping, Options, Request, Sequence};
 use corput::kernels::Generator;
 use corput::vulkan::{BufferSlice, Device, Recording, ash};
 use std::error::Error;
@@ -125,7 +125,7 @@ pub fn run(_arguments: &[String]) -> Result<bool, Box<dyn Error>> {
     let request = Request::new(&options)?;
     let mut expected = vec![0; SIZE as usize / 4];
     let place = OFFSET as usize / 4..(OFFSET + BYTES) as usize / 4;
-    Reference::new(&request).fill(0, &mut expected[place]);
+    Reference::new(&request).fill(0, &mut expected[place])?;
 
     let about = vk::ApplicationInfo::default().api_version(vk::API_VERSION_1_1);
     let create = vk::InstanceCreateInfo::default().application_info(&about);

@@ -35,7 +35,7 @@ fn main() -> corput::Result<()> {
     );
 
     let mut same = vec![0; words.len()];
-    Reference::new(&request).fill(0, &mut same);
+    Reference::new(&request).fill(0, &mut same)?;
     println!("equal to the CPU bit for bit: {}", same == words);
     Ok(())
 }

@@ -5,22 +5,19 @@
 //! 1 a check failed, 2 refused before work began, 3 no adequate device,
 //! 4 failed while running.
 
+mod exit_code;
+mod names;
+mod remedy;
+
+pub use names::nearest;
+pub use remedy::INSTALL_HINT;
+
+use names::list;
+use remedy::{io_remedy, vulkan_remedy};
 use std::path::PathBuf;
 
 /// `Result` with this crate's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
-
-/// How to get a Vulkan driver, for messages that report none.
-pub const INSTALL_HINT: &str = if cfg!(target_os = "linux") {
-    "install one: `apt-get install mesa-vulkan-drivers libvulkan1` (Debian, Ubuntu) gives lavapipe, \
-     a CPU driver; or use `--device cpu`, which needs no driver and gives the same bytes"
-} else if cfg!(target_os = "macos") {
-    "install the Vulkan SDK for macOS (MoltenVK), or use `--device cpu`, which needs no driver and \
-     gives the same bytes"
-} else {
-    "install your graphics vendor's driver, or use `--device cpu`, which needs no driver and gives \
-     the same bytes"
-};
 
 /// Everything that can go wrong, by what the caller can do about it.
 #[derive(Debug, thiserror::Error)]
@@ -359,6 +356,20 @@ pub enum Error {
         /// Chunks that it must have.
         total: u64,
     },
+    /// A study of which shards have not measured all cells.
+    #[error(
+        "study in {}: {lacking} of {total} cells are missing; run the shards that measure them, with the arguments of \
+         the first time",
+        path.display()
+    )]
+    Unmeasured {
+        /// The folder.
+        path: PathBuf,
+        /// Cells that it lacks.
+        lacking: usize,
+        /// Cells that it must have.
+        total: usize,
+    },
     /// Report cards that differ.
     #[error(
         "{differ} exact rows differ, and {missing} are in one card alone: two drivers with the same version of corput and the same options have the same hashes"
@@ -401,111 +412,12 @@ pub enum Error {
     },
 }
 
-/// The candidate most similar to a name, if any is similar: at most a third of the
-/// longer of the two may differ, or one begins the other.
-#[must_use]
-pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let name = name.to_ascii_lowercase();
-    candidates
-        .into_iter()
-        .map(|candidate| (strsim::damerau_levenshtein(&name, candidate), candidate))
-        .filter(|(distance, candidate)| {
-            let begins =
-                name.len() >= 2 && (candidate.starts_with(&*name) || name.starts_with(candidate));
-            begins || *distance <= name.len().max(candidate.len()).div_ceil(3)
-        })
-        .min()
-        .map(|(_, candidate)| candidate)
-}
-
-/// The command that lists names of a kind, where there is one.
-fn list(kind: &str) -> &'static str {
-    match kind {
-        "integrand" | "estimator" => "; `corput integrands` says more",
-        "sampler" | "scramble" => "; `corput generate --help` says more",
-        "map" => "; `corput maps` says more",
-        _ => "",
-    }
-}
-
 impl Error {
-    /// The error for an unknown name, with the most similar known one.
-    #[must_use]
-    pub fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
-        Self::UnknownName {
-            kind,
-            name: name.to_owned(),
-            nearest: nearest(name, known.iter().copied()).map(str::to_owned),
-            known: known.join(", "),
-        }
-    }
-
-    /// Exit code of the command line for this error.
-    #[must_use]
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Self::CheckFailed { .. }
-            | Self::Differs { .. }
-            | Self::CardsDiffer { .. }
-            | Self::Slower { .. }
-            | Self::Incomplete { .. }
-            | Self::NotFinite { .. }
-            | Self::Unequal { .. } => 1,
-            Self::ZeroCount { .. }
-            | Self::IndexRange { .. }
-            | Self::NotPrime { .. }
-            | Self::BaseTooLarge { .. }
-            | Self::RepeatedBase { .. }
-            | Self::Dimensions { .. }
-            | Self::MapDimensions { .. }
-            | Self::Parameter { .. }
-            | Self::Arguments { .. }
-            | Self::UnknownName { .. }
-            | Self::Output { .. }
-            | Self::Image { .. }
-            | Self::Points { .. }
-            | Self::Document { .. }
-            | Self::Glsl { .. }
-            | Self::Study { .. }
-            | Self::Scene { .. }
-            | Self::UnknownDevice { .. } => 2,
-            Self::NoDevice { .. } | Self::InadequateDevice { .. } => 3,
-            Self::Vulkan { .. }
-            | Self::Timeout { .. }
-            | Self::Io { .. }
-            | Self::Interrupted { .. }
-            | Self::Paused { .. }
-            | Self::NotKept { .. }
-            | Self::Shader { .. } => 4,
-            Self::Kept { cause, .. } => cause.exit_code(),
-        }
-    }
-
     /// The message without the remedy that what follows makes wrong.
     fn text_before_more(&self) -> String {
         match self {
             Self::Interrupted { done, total } => format!("interrupted after {done} of {total}"),
             other => other.to_string(),
         }
-    }
-}
-
-fn io_remedy(kind: std::io::ErrorKind) -> &'static str {
-    match kind {
-        std::io::ErrorKind::BrokenPipe => "its reader has gone: keep it reading to the end",
-        _ => "free space or choose another folder, then run again",
-    }
-}
-
-fn vulkan_remedy(result: &str) -> &'static str {
-    if result.contains("DEVICE_LOST") {
-        "the device was lost: run again, or use `--device cpu`"
-    } else if ["OUT_OF", "TOO_MANY", "MAP_FAILED"]
-        .iter()
-        .any(|lack| result.contains(lack))
-    {
-        "memory ran out: close other programs, or ask for fewer points at a time"
-    } else {
-        "run `corput devices` to see what the driver offers, or use `--device cpu`"
     }
 }

@@ -32,11 +32,11 @@
 //!
 //! ```
 //! use corput::bulk::Reference;
-//! use corput::catalog::{Options, Request, Sequence};
+//! use corput::catalog::{Engine, Options, Request, Sequence};
 //!
 //! let request = Request::new(&Options::new(Sequence::Halton, 4))?;
 //! let mut words = [0; 8];
-//! Reference::new(&request).fill(0, &mut words);
+//! Reference::new(&request).fill(0, &mut words)?;
 //! let points: Vec<f32> = words.iter().map(|word| f32::from_bits(*word)).collect();
 //! assert_eq!(points[..4], [0.0, 0.0, 0.5, 0.33333337]);
 //! # Ok::<(), corput::Error>(())

@@ -2,7 +2,7 @@
 
 use super::{Goal, Job, Measurement};
 use crate::bulk::Reference;
-use crate::catalog::{Profile, Request};
+use crate::catalog::{Engine, Profile, Request};
 use crate::kernels::Generator;
 use crate::vulkan::Device;
 use crate::{Error, Result};
@@ -62,16 +62,16 @@ pub fn on_cpu(job: &Job) -> Result<Measurement> {
     let probe = request.count.min(PROBE);
     let mut words = vec![0; (probe * width) as usize];
     let begun = Instant::now();
-    let reference = Reference::new(request);
-    reference.fill(0, &mut words);
+    let mut reference = Reference::new(request);
+    reference.fill(0, &mut words)?;
     let cold_s = begun.elapsed().as_secs_f64();
     verify(request, probe, &mut |start, expected, same| {
-        reference.fill(start, &mut words);
+        reference.fill(start, &mut words)?;
         Ok(words.iter().zip(expected).all(same))
     })?;
     timed(job, job.cpu_goal, "", cold_s, &mut |memory| {
         let begun = Instant::now();
-        reference.fill(0, memory);
+        reference.fill(0, memory)?;
         Ok(begun.elapsed().as_secs_f64())
     })
 }

@@ -81,15 +81,14 @@ impl Reference {
         }
     }
 
-    /// Writes the rows of consecutive points, `start` counted from the request's first; they
-    /// end with the request at the latest. `words` holds whole rows. By blocks of indices, at
-    /// about the speed of memory where a sequence allows it.
-    pub fn fill(&self, start: u64, words: &mut [u32]) {
+    /// Writes the rows of points that are known to be the request's.
+    fn fill_rows(&self, start: u64, words: &mut [u32]) {
         self.parted(start, words, |n, rows| self.fill_part(n, rows));
     }
 
-    /// The same words, each value by itself as the headers compute it: what [`Self::fill`] must
-    /// equal. Slow.
+    /// Writes the rows of consecutive points, `start` counted from the request's first, each value
+    /// by itself as the headers compute it: what [`Engine::fill`] must equal. They end with the
+    /// request at the latest, and `words` holds whole rows. Slow.
     pub fn fill_singly(&self, start: u64, words: &mut [u32]) {
         let width = self.width();
         self.parted(start, words, |n, rows| {
@@ -185,7 +184,7 @@ impl Engine for Reference {
             let points = (count - done).min(self.chunk());
             // At most PIECE words, or a row.
             piece.resize(points as usize * width, 0);
-            Self::fill(self, start + done, &mut piece);
+            self.fill_rows(start + done, &mut piece);
             take(&piece)?;
             done += points;
         }
@@ -197,10 +196,11 @@ impl Engine for Reference {
         (PIECE / self.width() as u64).max(1)
     }
 
-    /// In place, without a copy.
+    /// In place, without a copy: by blocks of indices, at about the speed of memory where a sequence
+    /// allows it.
     fn fill(&mut self, start: u64, words: &mut [u32]) -> Result<()> {
         whole_points(self, start, words.len())?;
-        Self::fill(self, start, words);
+        self.fill_rows(start, words);
         Ok(())
     }
 }

@@ -14,7 +14,7 @@ use crate::check::{Outcome, Row, junit};
 use crate::extreme;
 use crate::interface::{KERNELS, Profile};
 use crate::kernels::spirv;
-use crate::report::{Document, Target, create_folder, hexadecimal, save};
+use crate::report::{Document, STUDY, Target, create_folder, hexadecimal, save};
 use crate::spirv::{self as modules, Tier};
 use crate::vulkan::DeviceInfo;
 use crate::{Error, Result};
@@ -145,9 +145,11 @@ impl Files {
     /// the caller's own too.
     ///
     /// # Errors
-    /// [`Error::Output`] for what cannot be made or written.
+    /// [`Error::Output`] for what cannot be made or written, and for a folder with the report of a
+    /// study, whose page has the same name.
     pub fn open(folder: &Path) -> Result<Self> {
         create_folder(folder, "--report")?;
+        STUDY.refuse(folder)?;
         let [json, html, _] = Self::NAMES.map(|name| Target::File(folder.join(name)));
         Ok(Self {
             folder: folder.to_owned(),

@@ -214,7 +214,7 @@ mod tests {
 
     fn words(request: &Request) -> Vec<u32> {
         let mut words = vec![0; 2 * request.count as usize];
-        Reference::new(request).fill(0, &mut words);
+        Reference::new(request).fill(0, &mut words).unwrap();
         words
     }
 

@@ -61,6 +61,27 @@ impl Shard {
         begin(self.index)..begin(self.index + 1)
     }
 
+    /// Index and number of shares.
+    #[must_use]
+    pub fn parts(self) -> (u64, u64) {
+        (self.index, self.count)
+    }
+
+    /// Whether it has an item where they are dealt in turn, as cards are: item 0 to share 0, item
+    /// 1 to share 1.
+    #[must_use]
+    pub fn is_dealt(self, item: u64) -> bool {
+        item % self.count == self.index
+    }
+
+    /// The share that is dealt an item, of `count` shares.
+    ///
+    /// # Errors
+    /// As [`Shard::new`].
+    pub fn dealing(item: u64, count: u64) -> Result<Self> {
+        Self::new(item.checked_rem(count).unwrap_or_default(), count)
+    }
+
     /// The share that has an item, of `items` in `count` shares.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! Two checks against each other, as their documents have them.
 
+use crate::report::read_json;
 use crate::{Error, Result};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -30,6 +31,11 @@ impl Comparison {
         }
     }
 }
+
+/// Bytes of a document at most: a whole card has some hundred thousand.
+const MOST: u64 = 64 << 20;
+
+const REMEDY: &str = "write one with `corput check --report DIR` or --json";
 
 /// Name and kernel of a row.
 type Key = (String, String);
@@ -71,11 +77,9 @@ fn hashes(path: &Path) -> Result<Hashes> {
     let refused = |problem: String| Error::Document {
         path: path.to_owned(),
         problem,
-        remedy: "write one with `corput check --report DIR` or --json",
+        remedy: REMEDY,
     };
-    let text = std::fs::read_to_string(path).map_err(|error| refused(error.to_string()))?;
-    let document: Value =
-        serde_json::from_str(&text).map_err(|error| refused(error.to_string()))?;
+    let document = read_json(path, MOST, REMEDY)?;
     let rows = document.get("rows").and_then(Value::as_array);
     let rows = rows.ok_or_else(|| refused("it has no rows".into()))?;
     let mut hashes = Hashes::default();

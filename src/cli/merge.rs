@@ -1,10 +1,13 @@
-//! `corput merge`: a store that several machines have filled, or estimates of several ranges.
+//! `corput merge`: a store that several machines have filled, a study in shards, or estimates of
+//! several ranges.
 
 mod estimates;
+mod study;
 
 use super::args::MergeArgs;
 use super::{print, progress};
 use corput::catalog::Shard;
+use corput::converge::Gathered;
 use corput::report::zarr::{Fault, Store, Survey};
 use corput::{Error, Result};
 use serde_json::{Value, json};
@@ -16,6 +19,7 @@ const NAMED: usize = 20;
 
 pub fn run(args: &MergeArgs) -> anyhow::Result<()> {
     match args.paths.as_slice() {
+        [path] if Gathered::is_in(path) => study::run(path, args),
         [path] if path.is_dir() => store(path, args),
         paths => {
             refuse(paths.iter().find(|path| path.is_dir()), args.shards)?;
@@ -35,13 +39,13 @@ fn refuse(store: Option<&PathBuf>, shards: Option<u64>) -> Result<()> {
     };
     match (store, shards) {
         (Some(path), _) => refused(
-            format!("merge the store {} with others", path.display()),
-            "a store is one folder, into which all machines write",
+            format!("merge the folder {} with others", path.display()),
+            "a store, or a study in shards, is one folder, into which all machines write",
             "give it alone",
         ),
         (None, Some(_)) => refused(
             "--shards with estimates".to_owned(),
-            "only stores lack shards",
+            "only stores and studies lack shards",
             "drop it",
         ),
         (None, None) => Ok(()),

@@ -219,14 +219,7 @@ impl Engine {
             Self::Device(device) => device.info().kind == DeviceKind::Cpu,
             Self::Cpu => true,
         };
-        let dimensions = row.problem.dimensions();
-        let mut counts = study.counts().iter();
-        let first = counts.find_map(|&count| sampler.request(dimensions, count, study.seed()).ok());
-        let Some(first) = first else {
-            return Ok(String::new());
-        };
-        let kernel = Estimator::fingerprint(&row.problem, &first, cpu)?;
-        Ok(format!("{} {kernel}", env!("CARGO_PKG_VERSION")))
+        program(study, row, sampler, cpu)
     }
 
     fn summer(&self, problem: &Problem, request: &Request) -> Result<Summer> {
@@ -256,6 +249,18 @@ impl Engine {
         }
         Ok(())
     }
+}
+
+/// The same of any device of a CPU, or of any other.
+pub(super) fn program(study: &Study, row: &Row, sampler: Sampler, cpu: bool) -> Result<String> {
+    let dimensions = row.problem.dimensions();
+    let mut counts = study.counts().iter();
+    let first = counts.find_map(|&count| sampler.request(dimensions, count, study.seed()).ok());
+    let Some(first) = first else {
+        return Ok(String::new());
+    };
+    let kernel = Estimator::fingerprint(&row.problem, &first, cpu)?;
+    Ok(format!("{} {kernel}", env!("CARGO_PKG_VERSION")))
 }
 
 /// An engine that knows the integrand and the shape of the points.

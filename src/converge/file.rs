@@ -21,6 +21,7 @@
 
 use super::study::{Row, Settings, rows};
 use crate::catalog::Sampler;
+use crate::report::bounded_text;
 use crate::{Error, Result};
 use serde::Deserialize;
 use std::path::Path;
@@ -67,14 +68,7 @@ pub fn read(path: &Path) -> Result<(Vec<Row>, Settings)> {
         problem,
         remedy: "give a study file as the README shows it".into(),
     };
-    let length = std::fs::metadata(path).map_err(|error| failed(error.to_string()))?;
-    if length.len() > LONGEST {
-        return Err(failed(format!(
-            "it has {} bytes; a study has at most 2^20",
-            length.len()
-        )));
-    }
-    let text = std::fs::read_to_string(path).map_err(|error| failed(error.to_string()))?;
+    let text = bounded_text(path, LONGEST).map_err(failed)?;
     parse(&text, path)
 }
 

@@ -4,66 +4,75 @@
 //! measured it; lines of other keys are left alone, and cells of other programs are measured
 //! anew. A line that was cut off while it was written is no line.
 
-use super::cell::{Cell, Point};
+use super::cell::Cell;
+use super::line::Line;
 use super::study::{Row, Study};
 use crate::catalog::Sampler;
-use crate::report::{hexadecimal, save};
+use crate::report::{bounded_bytes, hexadecimal, save};
 use crate::{Error, Result};
-use serde_json::{Value, json};
+use serde_json::json;
 use sha2::{Digest, Sha256};
 use std::collections::HashSet;
 use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+/// Bytes of a file at most: those of cells by the thousand.
+const MOST: u64 = 1 << 30;
+
 /// The file, open for more.
 pub struct Kept {
     path: PathBuf,
     file: File,
+    /// The device of what is added, where keys name none.
+    device: Option<String>,
     lines: Vec<Line>,
     /// Keys of this run.
     used: HashSet<String>,
     outdated: u64,
 }
 
-/// A cell with what names it.
-struct Line {
-    key: String,
-    program: String,
-    cell: Cell,
-}
-
 impl Kept {
     /// Opens the file, or makes it.
     ///
     /// # Errors
-    /// [`Error::Output`] where it cannot be read or written.
+    /// [`Error::Output`] where it cannot be read or written, or has more than 2^30 bytes.
     pub fn open(path: &Path) -> Result<Self> {
-        let failed = |source: std::io::Error| Error::Output {
-            path: path.to_owned(),
-            problem: source.to_string(),
-            remedy: "choose a folder that can be written".into(),
-        };
-        let text = match std::fs::read(path) {
-            Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(failed(error)),
-        };
-        let mut file = OpenOptions::new()
+        let opened = OpenOptions::new()
+            .read(true)
             .append(true)
             .create(true)
-            .open(path)
-            .map_err(failed)?;
+            .open(path);
+        let mut file = opened.map_err(|error| unusable(path, &error))?;
+        let text = text(path, &mut file)?;
+        Self::of(path, file, &text, None)
+    }
+
+    /// A file that is open for more, and what it holds; of cells that any device may measure
+    /// where a device is given, which is that of what is added.
+    pub(super) fn of(
+        path: &Path,
+        mut file: File,
+        text: &str,
+        device: Option<String>,
+    ) -> Result<Self> {
         if !text.is_empty() && !text.ends_with('\n') {
-            file.write_all(b"\n").map_err(failed)?;
+            let ended = file.write_all(b"\n");
+            ended.map_err(|error| unusable(path, &error))?;
         }
         Ok(Self {
             path: path.to_owned(),
             file,
-            lines: text.lines().filter_map(read).collect(),
+            device,
+            lines: text.lines().filter_map(Line::read).collect(),
             used: HashSet::new(),
             outdated: 0,
         })
+    }
+
+    /// The device that keys name, of a run on this one.
+    pub(super) fn keyed_by<'d>(&self, device: &'d str) -> Option<&'d str> {
+        self.device.is_none().then_some(device)
     }
 
     /// Where it is.
@@ -76,12 +85,17 @@ impl Kept {
     ///
     /// [`Engine::program`]: super::Engine::program
     pub fn get(&mut self, key: &str, program: &str) -> Option<Cell> {
+        self.line(key, program).map(|line| line.cell.clone())
+    }
+
+    /// The same as its line.
+    pub(super) fn line(&mut self, key: &str, program: &str) -> Option<&Line> {
         self.used.insert(key.to_owned());
         let mut found = self.lines.iter().filter(|line| line.key == key).peekable();
         let known = found.peek().is_some();
-        let cell = found.find(|line| line.program == program);
-        self.outdated += u64::from(known && cell.is_none());
-        cell.map(|line| line.cell.clone())
+        let line = found.find(|line| line.program == program);
+        self.outdated += u64::from(known && line.is_none());
+        line
     }
 
     /// How many cells were asked for that only other programs had measured.
@@ -98,6 +112,7 @@ impl Kept {
         let line = Line {
             key: key.to_owned(),
             program: program.to_owned(),
+            device: self.device.clone(),
             cell: cell.clone(),
         };
         self.file
@@ -134,18 +149,28 @@ impl Kept {
     }
 }
 
-impl Line {
-    fn text(&self) -> String {
-        let value =
-            json!({ "key": self.key, "program": self.program, "cell": document(&self.cell) });
-        format!("{value}\n")
+/// What such a file holds. What was cut off may be no text.
+pub(super) fn text(path: &Path, file: &mut File) -> Result<String> {
+    let bytes = bounded_bytes(file, MOST).map_err(|problem| Error::Output {
+        path: path.to_owned(),
+        problem,
+        remedy: "remove it, or choose another folder".into(),
+    })?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+pub(super) fn unusable(path: &Path, error: &std::io::Error) -> Error {
+    Error::Output {
+        path: path.to_owned(),
+        problem: error.to_string(),
+        remedy: "choose a folder that can be written".into(),
     }
 }
 
 /// What a cell measures, as a hash: what is summed, and by whom. `device` names the device and
-/// its driver.
+/// its driver; none where any may measure it.
 #[must_use]
-pub fn key(study: &Study, row: &Row, sampler: Sampler, device: &str) -> String {
+pub fn key(study: &Study, row: &Row, sampler: Sampler, device: Option<&str>) -> String {
     let mut hash = Sha256::new();
     let settings = json!({
         "device": device,
@@ -164,77 +189,9 @@ pub fn key(study: &Study, row: &Row, sampler: Sampler, device: &str) -> String {
     hexadecimal(&hash.finalize())
 }
 
-fn document(cell: &Cell) -> Value {
-    let bits = |values: &[f64]| -> Vec<u64> { values.iter().map(|one| one.to_bits()).collect() };
-    let point = |point: &Point| {
-        json!({
-            "count": point.count,
-            // What is no number has no JSON.
-            "means": bits(&point.means),
-            "variances": bits(&point.variances),
-            "device_ns": point.device_ns,
-            "host_ns": point.host_ns,
-        })
-    };
-    json!({
-        "setup_ms": cell.setup_ms,
-        "first_ms": cell.first_ms,
-        "points": cell.points.iter().map(point).collect::<Vec<_>>(),
-        "refused": cell.refused,
-        "warnings": cell.warnings,
-    })
-}
-
-fn read(line: &str) -> Option<Line> {
-    let value: Value = serde_json::from_str(line).ok()?;
-    let cell = value.get("cell")?;
-    let numbers = |value: &Value| -> Option<Vec<f64>> {
-        value.as_array()?.iter().map(Value::as_f64).collect()
-    };
-    let bits = |value: &Value| -> Option<Vec<f64>> {
-        let words = value.as_array()?.iter().map(Value::as_u64);
-        words.map(|word| word.map(f64::from_bits)).collect()
-    };
-    let point = |value: &Value| -> Option<Point> {
-        Some(Point {
-            count: value.get("count")?.as_u64()?,
-            means: bits(value.get("means")?)?,
-            variances: bits(value.get("variances")?)?,
-            device_ns: numbers(value.get("device_ns")?)?,
-            host_ns: numbers(value.get("host_ns")?)?,
-        })
-    };
-    let points: Option<Vec<Point>> = cell.get("points")?.as_array()?.iter().map(point).collect();
-    let refused = |value: &Value| -> Option<(u64, String)> {
-        Some((value.get(0)?.as_u64()?, value.get(1)?.as_str()?.to_owned()))
-    };
-    let refusals: Option<Vec<_>> = cell
-        .get("refused")?
-        .as_array()?
-        .iter()
-        .map(refused)
-        .collect();
-    let warnings = cell.get("warnings")?.as_array()?.iter();
-    let warnings: Option<Vec<String>> = warnings
-        .map(|one| one.as_str().map(str::to_owned))
-        .collect();
-    let cell = Cell {
-        setup_ms: cell.get("setup_ms")?.as_f64()?,
-        first_ms: cell.get("first_ms")?.as_f64()?,
-        points: points?,
-        refused: refusals?,
-        warnings: warnings?,
-    };
-    let text = |name: &str| Some(value.get(name)?.as_str()?.to_owned());
-    Some(Line {
-        key: text("key")?,
-        program: text("program")?,
-        cell,
-    })
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::cell::Point;
     use super::*;
 
     fn cell(mean: f64) -> Cell {

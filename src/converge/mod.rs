@@ -11,11 +11,15 @@ mod counts;
 mod file;
 mod floor;
 mod hits;
+mod item;
 mod kept;
+mod line;
 mod monotone;
 #[cfg(feature = "images")]
 mod report;
 mod results;
+mod series;
+mod shards;
 mod statistics;
 mod student;
 mod study;
@@ -30,15 +34,17 @@ pub use floor::{Floor, floor};
 pub use hits::Rarity;
 pub use kept::{Kept, key};
 #[cfg(feature = "images")]
-pub use report::write;
-pub use results::{Results, SCHEMA, Series, Setting};
+pub use report::{check_folder, write};
+pub use results::{Results, SCHEMA, Setting};
+pub use series::Series;
+pub use shards::{Done, Gathered, Lacking, open_shard, run_shard};
 pub use statistics::{Interval, Statistic, fit, median, quantile, slope};
 pub use study::{Row, Settings, Study, rows};
-pub use summary::{Standing, standings};
+pub use summary::{Standing, comparable, standings};
 pub use truth::Truth;
 
 use crate::Result;
-use crate::catalog::Sampler;
+use item::items;
 
 /// Hears of each cell and dispatch: the cell's name, cells done, and all cells. Its error
 /// stops the study between dispatches.
@@ -57,40 +63,16 @@ pub fn run(
     watch: &mut Watch<'_>,
 ) -> Result<Results> {
     let total = study.cells() as u64;
-    let mut series = Vec::new();
-    for row in study.rows() {
-        let mut stop = || watch(&row.name, series.len() as u64, total);
-        let truth = Truth::of(engine, study, row, &mut stop)?;
-        let mut cells: Vec<(Sampler, Cell)> = Vec::new();
-        for &sampler in &row.samplers {
-            let name = format!("{}, {}", row.name, sampler.name());
-            let key = key(study, row, sampler, &setting.device);
-            let program = engine.program(study, row, sampler)?;
-            let known = kept
-                .as_mut()
-                .and_then(|kept| kept.get(&key, &program))
-                .filter(|cell| cell.fits(study, sampler));
-            let cell = match known {
-                Some(cell) => cell,
-                None => {
-                    let done = (series.len() + cells.len()) as u64;
-                    let mut stop = || watch(&name, done, total);
-                    let cell = engine.measure(study, row, sampler, &mut stop)?;
-                    if let Some(kept) = &mut kept {
-                        kept.add(&key, &program, &cell)?;
-                    }
-                    cell
-                }
-            };
-            cells.push((sampler, cell));
-            watch(&name, (series.len() + cells.len()) as u64, total)?;
+    let mut done = 0;
+    let mut cells = Vec::new();
+    for item in items(study)? {
+        let name = item.name();
+        let mut stop = || watch(&name, done, total);
+        cells.push(item.cell(engine, &setting.device, kept.as_deref_mut(), &mut stop)?);
+        if !item.is_reference() {
+            done += 1;
+            watch(&name, done, total)?;
         }
-        let independent = cells.iter().filter(|(sampler, _)| sampler.is_independent());
-        let rarity = Rarity::of(independent.map(|(_, cell)| cell), &truth);
-        let made = cells
-            .into_iter()
-            .map(|(sampler, cell)| Series::new(row, sampler, truth, cell, rarity));
-        series.extend(made);
     }
-    Ok(Results { setting, series })
+    Ok(Results::of(study, setting, cells))
 }

@@ -1,11 +1,12 @@
 //! What a study found, as JSON and as a table.
 
-use super::analysis::{Analysis, ErrorAt};
-use super::cell::Cell;
+use super::analysis::ErrorAt;
 use super::hits::Rarity;
-use super::statistics::{Interval, Statistic};
-use super::study::{Row, Study};
-use super::summary::standings;
+use super::item::Measured;
+use super::series::Series;
+use super::statistics::Interval;
+use super::study::Study;
+use super::summary::{comparable, standings};
 use super::truth::Truth;
 use crate::catalog::Sampler;
 use serde_json::{Map, Value, json};
@@ -17,9 +18,9 @@ pub const SCHEMA: &str = "corput-converge/2";
 /// How a study was run, so that it can be run again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// The device with its driver.
+    /// The device with its driver; of shards all of them.
     pub device: String,
-    /// The command.
+    /// The command; of shards all of them, a line each.
     pub command: String,
     /// Numbers of points.
     pub counts: Vec<u64>,
@@ -29,6 +30,8 @@ pub struct Setting {
     pub seed: u64,
     /// Relative errors of which the time is asked.
     pub targets: Vec<f64>,
+    /// Shards that measured it apart; 1 of a single run.
+    pub shards: u64,
 }
 
 impl Setting {
@@ -42,72 +45,7 @@ impl Setting {
             replicates: study.replicates(),
             seed: study.seed(),
             targets: study.targets().to_vec(),
-        }
-    }
-}
-
-/// A cell with its name and what it comes to.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Series {
-    /// The integrand, with its parameters, as it was named.
-    pub integrand: String,
-    /// What it is, in a line.
-    pub summary: &'static str,
-    /// Its estimator, where it has a choice.
-    pub estimator: Option<&'static str>,
-    /// Its dimensions.
-    pub dimensions: u32,
-    /// The sampler.
-    pub sampler: String,
-    /// What its means are compared with.
-    pub truth: Truth,
-    /// Means and times.
-    pub cell: Cell,
-    /// What they come to.
-    pub analysis: Analysis,
-}
-
-impl Series {
-    /// Of a cell; `rarity` is that of the row.
-    #[must_use]
-    pub fn new(
-        row: &Row,
-        sampler: Sampler,
-        truth: Truth,
-        cell: Cell,
-        rarity: Option<Rarity>,
-    ) -> Self {
-        let statistic = match row.problem.integrand().finite_variance {
-            true => Statistic::Rmse,
-            false => Statistic::MedianAbsolute,
-        };
-        Self {
-            integrand: row.name.clone(),
-            summary: row.problem.integrand().summary,
-            estimator: row.problem.estimator(),
-            dimensions: row.problem.dimensions(),
-            sampler: sampler.name(),
-            analysis: Analysis::new(&cell, &truth, sampler.is_random(), statistic, rarity),
-            truth,
-            cell,
-        }
-    }
-
-    /// The sampler, and the estimator where there is a choice.
-    #[must_use]
-    pub fn label(&self) -> String {
-        match self.estimator {
-            None => self.sampler.clone(),
-            Some(estimator) => format!("{}, {estimator}", self.sampler),
-        }
-    }
-
-    /// What errors are relative to: |truth|, or 1 where it is 0.
-    #[must_use]
-    pub fn scale(&self) -> f64 {
-        match self.truth.value.abs() {
-            0.0 => 1.0,
-            scale => scale,
+            shards: 1,
         }
     }
 }
@@ -122,6 +60,26 @@ pub struct Results {
 }
 
 impl Results {
+    /// Of what was measured of all items of a study, in their order.
+    pub(super) fn of(study: &Study, setting: Setting, measured: Vec<Measured>) -> Self {
+        let mut measured = measured.into_iter();
+        let mut series = Vec::new();
+        for row in study.rows() {
+            let unknown = row.problem.known_truth().is_none();
+            let reference = unknown.then(|| measured.next()).flatten();
+            let truth = Truth::judged(row, reference.as_ref().map(|one| &one.cell));
+            let cells = row.samplers.iter().copied().zip(measured.by_ref());
+            let cells: Vec<(Sampler, Measured)> = cells.collect();
+            let independent = cells.iter().filter(|(sampler, _)| sampler.is_independent());
+            let rarity = Rarity::of(independent.map(|(_, one)| &one.cell), &truth);
+            let made = cells
+                .into_iter()
+                .map(|(sampler, one)| Series::new(row, sampler, truth, one, rarity));
+            series.extend(made);
+        }
+        Self { setting, series }
+    }
+
     /// The series by integrand, in the study's order.
     #[must_use]
     pub fn by_integrand(&self) -> Vec<(&str, Vec<&Series>)> {
@@ -153,6 +111,7 @@ impl Results {
             "schema": SCHEMA,
             "corput": env!("CARGO_PKG_VERSION"),
             "device": setting.device,
+            "shards": setting.shards,
             "command": setting.command,
             "counts": setting.counts,
             "replicates": setting.replicates,
@@ -167,7 +126,8 @@ impl Results {
 
     fn standings(&self) -> Value {
         let mut list = Vec::new();
-        for (integrand, group) in self.by_integrand() {
+        let groups = self.by_integrand().into_iter();
+        for (integrand, group) in groups.filter(|(_, group)| comparable(group)) {
             for &target in &self.setting.targets {
                 let standing = |one: super::Standing| {
                     json!({
@@ -195,7 +155,7 @@ impl Results {
     pub fn csv(&self) -> String {
         let mut text = String::from(
             "integrand,dimensions,estimator,sampler,random,count,replicates,truth,floor,statistic,\
-             error,error_low,error_high,relative_error,bias,bias_standard_error,effective_hits,seconds,\
+             error,error_low,error_high,relative_error,bias,bias_standard_error,effective_hits,device,seconds,\
              seconds_low_quartile,seconds_high_quartile,host_seconds\n",
         );
         for one in &self.series {
@@ -203,7 +163,7 @@ impl Results {
                 // Writing to a String cannot fail.
                 let _ = writeln!(
                     text,
-                    "\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+                    "\"{}\",{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},\"{}\",{},{},{},{}",
                     one.integrand.replace('"', "\"\""),
                     one.dimensions,
                     one.estimator.unwrap_or(""),
@@ -221,6 +181,7 @@ impl Results {
                     at.bias,
                     at.bias_error,
                     at.hits.map_or(String::new(), |hits| hits.to_string()),
+                    one.device.replace('"', "\"\""),
                     at.seconds.value,
                     at.seconds.low,
                     at.seconds.high,
@@ -252,6 +213,7 @@ fn series(one: &Series) -> Value {
         ("dimensions".to_owned(), json!(one.dimensions)),
         ("estimator".to_owned(), json!(one.estimator)),
         ("sampler".to_owned(), json!(one.sampler)),
+        ("device".to_owned(), json!(one.device)),
         ("random".to_owned(), json!(analysis.random)),
         ("truth".to_owned(), json!(one.truth.value)),
         ("truth_uncertainty".to_owned(), json!(one.truth.uncertainty)),

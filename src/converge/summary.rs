@@ -1,7 +1,7 @@
 //! Who reaches an error first.
 
 use super::analysis::Reached;
-use super::results::Series;
+use super::series::Series;
 use super::statistics::Interval;
 
 /// A series at a target.
@@ -20,6 +20,16 @@ pub struct Standing<'a> {
 
 /// The share of a time that two runs of one study differ by.
 const NOISE: f64 = 0.1;
+
+/// Whether the times of these series are of one device, by its name and driver: those of several
+/// say nothing of who is faster.
+#[must_use]
+pub fn comparable(series: &[&Series]) -> bool {
+    series.windows(2).all(|pair| match pair {
+        [one, other] => one.device == other.device,
+        _ => true,
+    })
+}
 
 /// The series of one integrand that reach a relative error: random ones with the fastest
 /// first, then those of one run, which may have been lucky.

@@ -1,6 +1,6 @@
 //! What the means of an integrand are compared with.
 
-use super::cell::Engine;
+use super::cell::{Cell, Engine};
 use super::floor::floor;
 use super::student;
 use super::study::{Row, Settings, Study};
@@ -43,36 +43,22 @@ impl Truth {
         row: &Row,
         watch: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Self> {
+        let measured = reference(study, row)?
+            .map(|(larger, sampler)| engine.measure(&larger, row, sampler, watch));
+        Ok(Self::judged(row, measured.transpose()?.as_ref()))
+    }
+
+    /// The same, of what the [`reference`] gave if there is one.
+    pub(super) fn judged(row: &Row, reference: Option<&Cell>) -> Self {
         let arithmetic = floor(&row.problem).total();
         if let Some(value) = row.problem.known_truth() {
             // Means are rounded to `f64`.
             let rounding = f64::EPSILON * value.abs();
-            return Ok(Self::stated(value, arithmetic + rounding));
+            return Self::stated(value, arithmetic + rounding);
         }
-        let most = study.counts().iter().copied().max().unwrap_or(1);
-        let count = most.saturating_mul(MORE).min(1 << 32);
-        let sampler = Sampler::new(Sequence::Sobol, Some(Scramble::OwenHash))?;
-        let larger = Study::new(
-            vec![Row {
-                samplers: vec![sampler],
-                ..row.clone()
-            }],
-            Settings {
-                min_count: count,
-                max_count: count,
-                replicates: study.replicates(),
-                // None of the seeds that it judges.
-                seed: study.seed().wrapping_add(1 << 32),
-                targets: Vec::new(),
-            },
-        )?;
-        let cell = engine.measure(&larger, row, sampler, watch)?;
-        let means: Vec<f64> = cell
-            .points
-            .iter()
-            .flat_map(|point| point.means.clone())
-            .collect();
-        Ok(Self::measured(&means, arithmetic))
+        let points = reference.iter().flat_map(|cell| &cell.points);
+        let means: Vec<f64> = points.flat_map(|point| point.means.clone()).collect();
+        Self::measured(&means, arithmetic)
     }
 
     /// The mean of independent means, two or more, with Student's interval.
@@ -95,6 +81,31 @@ impl Truth {
     pub fn floor(&self) -> f64 {
         self.arithmetic + self.uncertainty.unwrap_or(0.0)
     }
+}
+
+/// What is to be measured for an integral that is not known: the study of it, and its sampler.
+pub(super) fn reference(study: &Study, row: &Row) -> Result<Option<(Study, Sampler)>> {
+    if row.problem.known_truth().is_some() {
+        return Ok(None);
+    }
+    let most = study.counts().iter().copied().max().unwrap_or(1);
+    let count = most.saturating_mul(MORE).min(1 << 32);
+    let sampler = Sampler::new(Sequence::Sobol, Some(Scramble::OwenHash))?;
+    let larger = Study::new(
+        vec![Row {
+            samplers: vec![sampler],
+            ..row.clone()
+        }],
+        Settings {
+            min_count: count,
+            max_count: count,
+            replicates: study.replicates(),
+            // None of the seeds that it judges.
+            seed: study.seed().wrapping_add(1 << 32),
+            targets: Vec::new(),
+        },
+    )?;
+    Ok(Some((larger, sampler)))
 }
 
 #[cfg(test)]

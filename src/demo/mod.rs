@@ -136,7 +136,7 @@ fn compare(
     keep: &mut dyn FnMut(&[u32]) -> Result<()>,
 ) -> Result<Comparison> {
     let mut generator = Generator::new(device, request)?;
-    let reference = Reference::new(request);
+    let mut reference = Reference::new(request);
     let width = request.words_per_point() as usize;
     let mut result = Comparison {
         name,
@@ -152,7 +152,7 @@ fn compare(
         let timing = generator.dispatch(start, points)?;
         result.device_s += timing.device_ns.unwrap_or(timing.host_ns) * 1e-9;
         expected.resize(points as usize * width, 0);
-        reference.fill(start, &mut expected);
+        reference.fill(start, &mut expected)?;
         generator.read(points, |words| {
             let rows = words.chunks_exact(width).zip(expected.chunks_exact(width));
             result.mismatches += rows.filter(|(got, want)| got != want).count() as u64;

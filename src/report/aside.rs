@@ -75,9 +75,15 @@ impl Aside {
 
     /// Gives the file its final name; call [`Aside::fill`] before.
     pub(super) fn commit(mut self) -> Result<()> {
+        self.rename()?;
+        self.last()
+    }
+
+    /// The same but for making the name last, after which [`Aside::last`] does that.
+    pub(super) fn rename(&mut self) -> Result<()> {
         self.named(fs::rename(&self.partial, &self.real))?;
         self.committed = true;
-        self.last()
+        Ok(())
     }
 
     /// The same where a file of that name that is there must stay.
@@ -100,7 +106,7 @@ impl Aside {
     }
 
     /// Makes the name last.
-    fn last(&self) -> Result<()> {
+    pub(super) fn last(&self) -> Result<()> {
         let synced = sync_folder(&self.real);
         synced.map_err(|source| failed("sync the folder of", &self.asked, source))
     }

@@ -3,16 +3,16 @@
 use serde_json::{Map, Value};
 
 /// A member that is not the same in both.
-pub(super) struct Difference {
+pub(crate) struct Difference {
     /// Its name, after those of the objects that hold it.
-    pub(super) path: String,
+    pub(crate) path: String,
     /// Its values; null where it is missing.
-    pub(super) there: Value,
-    pub(super) here: Value,
+    pub(crate) there: Value,
+    pub(crate) here: Value,
 }
 
 /// Every member that differs: those of `there` first, in their order.
-pub(super) fn differences(there: &Value, here: &Value) -> Vec<Difference> {
+pub(crate) fn differences(there: &Value, here: &Value) -> Vec<Difference> {
     let mut found = Vec::new();
     walk("", there, here, &mut found);
     found

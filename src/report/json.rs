@@ -1,5 +1,6 @@
 //! JSON documents that others may have written, read within bounds.
 
+use super::bounded;
 use crate::error::{Error, Result};
 use serde_json::Value;
 use std::fs::File;
@@ -21,15 +22,9 @@ pub fn read_json(path: &Path, most: u64, remedy: &'static str) -> Result<Value> 
         })
 }
 
-/// The document that a file holds, or what is wrong with it. No more than tells that it is too
-/// long is read: a pipe or a device may have no end.
+/// The document that a file holds, or what is wrong with it.
 pub(super) fn bounded(file: impl Read, most: u64) -> Result<Value, String> {
-    let mut text = Vec::new();
-    let read = file.take(most.saturating_add(1)).read_to_end(&mut text);
-    read.map_err(|error| error.to_string())?;
-    if text.len() as u64 > most {
-        return Err(format!("it has more than {most} bytes, the limit"));
-    }
+    let text = bounded::bytes(file, most)?;
     serde_json::from_slice(&text).map_err(|error| format!("it is no JSON document ({error})"))
 }
 
@@ -38,13 +33,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_more_than_the_limit_is_read() {
+    fn documents_are_json_within_the_limit() {
         assert_eq!(bounded(&b"[1]"[..], 3), Ok(serde_json::json!([1])));
         let long = bounded(&b"[1]"[..], 2).expect_err("three bytes");
         assert!(long.contains("more than 2 bytes"), "{long}");
-        // Without an end.
-        let endless = bounded(std::io::repeat(b' '), 1 << 16).expect_err("no end");
-        assert!(endless.contains("the limit"), "{endless}");
         let text = bounded(&b"text"[..], 9).expect_err("no JSON");
         assert!(text.contains("no JSON document"), "{text}");
     }

@@ -22,6 +22,7 @@
 //! ```
 
 mod aside;
+mod bounded;
 mod chunked;
 mod compare;
 mod difference;
@@ -31,6 +32,9 @@ mod encode;
 mod escape;
 mod format;
 mod json;
+mod lock;
+#[cfg(feature = "gpu")]
+mod owner;
 mod page;
 mod place;
 mod read;
@@ -41,13 +45,23 @@ mod text;
 mod whole;
 pub mod zarr;
 
+#[cfg(any(feature = "gpu", feature = "scenes"))]
+pub(crate) use bounded::{bytes as bounded_bytes, text as bounded_text};
 pub use chunked::{Chunk, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows};
 pub use compare::Comparison;
+#[cfg(feature = "gpu")]
+pub(crate) use difference::{Difference, differences};
 pub use element::Element;
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};
 pub use escape::escape;
 pub use format::Format;
 pub use json::read_json;
+#[cfg(feature = "gpu")]
+pub(crate) use lock::try_lock;
+#[cfg(all(feature = "gpu", feature = "images"))]
+pub(crate) use owner::CARD;
+#[cfg(feature = "gpu")]
+pub(crate) use owner::STUDY;
 pub use page::page;
 pub use place::Target;
 pub use read::{MAX_VALUES, read_points};
@@ -123,6 +137,8 @@ pub struct Document {
     place: Place,
     /// The target as messages name it.
     path: PathBuf,
+    /// Of a file with a FILE.json, what keeps others from it.
+    turn: Option<chunked::Turn>,
 }
 
 impl Document {
@@ -134,7 +150,11 @@ impl Document {
     pub fn open(target: &Target) -> Result<Self> {
         // Small files are taken for binary ones.
         let (place, path) = Place::open(target, Format::Npy)?;
-        Ok(Self { place, path })
+        Ok(Self {
+            place,
+            path,
+            turn: None,
+        })
     }
 
     /// Writes all bytes, and gives the file its name.

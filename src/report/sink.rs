@@ -131,7 +131,8 @@ impl Sink {
     ///
     /// # Errors
     ///
-    /// [`Error::Output`] if the target is a folder, [`Error::Arguments`] as [`Sink::open`].
+    /// [`Error::Output`] if the target is a folder, or finished by another version of corput;
+    /// [`Error::Arguments`] as [`Sink::open`].
     pub fn is_finished(
         target: &Target,
         format: Format,

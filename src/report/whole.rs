@@ -2,7 +2,7 @@
 //! number of axes.
 
 use super::chunked::{
-    Chunk, Origin, check_free, document, recorded, save_unlocked, whole_description,
+    Chunk, Origin, Turn, check_free, describe, document, recorded, whole_description,
 };
 use super::place::{Place, failed};
 use super::{Document, Sidecar, Target, hexadecimal};
@@ -35,15 +35,18 @@ impl Form {
 }
 
 impl Document {
-    /// As [`Document::open`], for a file that gets a FILE.json.
+    /// As [`Document::open`], for a file that gets a FILE.json: no other run can write either of
+    /// them meanwhile.
     ///
     /// # Errors
     ///
-    /// As there, and [`Error::Output`] where that name is taken by a file of others.
+    /// As there, and [`Error::Output`] where that name is taken by a file of others, or another
+    /// run writes the file.
     pub fn open_described(target: &Target) -> Result<Self> {
-        let document = Self::open(target)?;
+        let mut document = Self::open(target)?;
         if let Place::Aside(aside) = &document.place {
             check_free(&Sidecar::path_of(aside.real()))?;
+            document.turn = Some(Turn::take(aside.real(), &document.path)?);
         }
         Ok(document)
     }
@@ -53,7 +56,7 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// [`Error::Io`] if they cannot be written.
+    /// [`Error::Io`] if they cannot be written; what was there before is then as it was.
     pub fn finish_described(self, bytes: &[u8], form: &Form, origin: &Origin) -> Result<()> {
         let Place::Aside(mut aside) = self.place else {
             return self.finish(bytes);
@@ -67,11 +70,16 @@ impl Document {
             &[&chunk],
             &hexadecimal(&Sha256::digest(bytes)),
         );
-        let described = save_unlocked(aside.real(), &text)?;
-        aside.commit().inspect_err(|_| {
-            // It describes data that is not there.
-            let _ = std::fs::remove_file(&described);
-        })
+        let described = describe(aside.real(), &text)?;
+        if let Err(error) = aside.rename() {
+            described.take_back();
+            return Err(error);
+        }
+        aside.last()?;
+        if let Some(turn) = self.turn {
+            turn.done();
+        }
+        Ok(())
     }
 }
 

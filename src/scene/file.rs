@@ -43,6 +43,7 @@ use super::table::{Source, Table, Value};
 use super::{Camera, Scene, Stated, Target, gltf, light, name_of, refused, surface};
 use crate::Result;
 use crate::catalog::{Profile, Sampler};
+use crate::report::bounded_text;
 use std::path::Path;
 use toml::de::DeTable;
 
@@ -52,19 +53,13 @@ pub const LONGEST: u64 = 1 << 20;
 /// Reads a scene file.
 pub(super) fn read(path: &Path) -> Result<Scene> {
     let remedy = "give a scene file, .gltf or .glb";
-    let failed = |error: std::io::Error| refused(path, error.to_string(), remedy);
-    let about = std::fs::metadata(path).map_err(failed)?;
-    if !about.is_file() {
-        return Err(refused(path, "it is no regular file", remedy));
-    }
-    if about.len() > LONGEST {
-        let problem = format!(
-            "it has {} bytes; a scene file has at most 2^20",
-            about.len()
-        );
-        return Err(refused(path, problem, remedy));
-    }
-    parse(&std::fs::read_to_string(path).map_err(failed)?, path)
+    let failed = |problem: String| refused(path, problem, remedy);
+    let text = match std::fs::metadata(path) {
+        Ok(about) if !about.is_file() => Err("it is no regular file".to_owned()),
+        Ok(_) => bounded_text(path, LONGEST),
+        Err(error) => Err(error.to_string()),
+    };
+    parse(&text.map_err(failed)?, path)
 }
 
 /// A scene of a scene file's text; maps count from the folder of the path, and messages name

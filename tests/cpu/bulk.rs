@@ -2,7 +2,7 @@
 
 use corput::bulk::Reference;
 use corput::catalog::{
-    Map, Mapping, Options, Order, Request, SCRAMBLES, SEQUENCES, Scramble, Sequence,
+    Engine, Map, Mapping, Options, Order, Request, SCRAMBLES, SEQUENCES, Scramble, Sequence,
 };
 use proptest::prelude::*;
 use std::num::NonZero;
@@ -10,10 +10,10 @@ use std::num::NonZero;
 /// The first word in which the points of a window differ from those made singly.
 fn fault(request: &Request, start: u64, count: u64, threads: usize) -> Option<String> {
     let width = request.words_per_point() as usize;
-    let reference = Reference::with_threads(request, NonZero::new(threads).unwrap());
+    let mut reference = Reference::with_threads(request, NonZero::new(threads).unwrap());
     let words = || vec![0x5555_5555; count as usize * width];
     let (mut made, mut wanted) = (words(), words());
-    reference.fill(start, &mut made);
+    reference.fill(start, &mut made).unwrap();
     reference.fill_singly(start, &mut wanted);
     let at = made.iter().zip(&wanted).position(|(a, b)| a != b)?;
     Some(format!(

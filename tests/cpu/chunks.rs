@@ -16,7 +16,7 @@ fn request(sequence: Sequence, count: u64, dimensions: u64) -> Request {
 
 fn all(request: &Request) -> Vec<u32> {
     let mut words = vec![0; request.count as usize * request.words_per_point() as usize];
-    Reference::new(request).fill(0, &mut words);
+    Reference::new(request).fill(0, &mut words).unwrap();
     words
 }
 

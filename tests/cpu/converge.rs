@@ -1,6 +1,12 @@
 //! Studies on the CPU's reference, whose sums are those of every device: the rates of the
 //! theory, means without bias, and what a study keeps.
 
+#[allow(dead_code, reason = "seeds are of other tests")]
+#[path = "parsers/damage.rs"]
+mod damage;
+#[path = "converge/shards.rs"]
+mod shards;
+
 use corput::catalog::{Integrand, Problem, SEQUENCES, Sampler, Scramble, Sequence, integrands};
 use corput::converge::{self, Engine, Kept, Results, Row, Setting, Settings, Study, fit};
 

@@ -48,6 +48,7 @@ fn series(integrand: &str, sampler: &str, cell: Cell, random: bool) -> Series {
         estimator: None,
         dimensions: 2,
         sampler: sampler.to_owned(),
+        device: "a device".into(),
         analysis: Analysis::new(&cell, &truth, random, Statistic::Rmse, None),
         truth,
         cell,
@@ -63,6 +64,7 @@ fn results(series: Vec<Series>) -> Results {
             replicates: 8,
             seed: 3,
             targets: vec![1e-2, 1e-5],
+            shards: 1,
         },
         series,
     }

@@ -4,7 +4,7 @@
 mod significance;
 
 use corput::bulk::Reference;
-use corput::catalog::{Options, Request, Scramble, Sequence};
+use corput::catalog::{Engine, Options, Request, Scramble, Sequence};
 use significance::critical;
 
 const SEEDS: u64 = 1024;
@@ -37,7 +37,7 @@ fn samples(options: &Options) -> Vec<Vec<Vec<f64>>> {
             .expect("a request");
             let width = request.words_per_point() as usize;
             let mut words = vec![0; POINTS * width];
-            Reference::new(&request).fill(0, &mut words);
+            Reference::new(&request).fill(0, &mut words).unwrap();
             let centred = |word: &u32| (f64::from(*word) + 0.5) / 4_294_967_296.0 - 0.5;
             let rows = words.chunks(width);
             rows.map(|row| row.iter().map(centred).collect()).collect()
@@ -154,7 +154,7 @@ fn rotated(plain: &Options, i: usize, j: usize, d: usize) -> f64 {
     .expect("a request");
     let width = request.words_per_point() as usize;
     let mut words = vec![0; POINTS * width];
-    Reference::new(&request).fill(0, &mut words);
+    Reference::new(&request).fill(0, &mut words).unwrap();
     let step = words[j * width + d].wrapping_sub(words[i * width + d]);
     let delta = f64::from(step) / 4_294_967_296.0;
     1.0 - 6.0 * delta * (1.0 - delta)

@@ -9,6 +9,8 @@ mod failure;
 mod json_schema;
 #[path = "report/kept.rs"]
 mod kept;
+#[path = "report/pairs.rs"]
+mod pairs;
 #[path = "report/schema.rs"]
 mod schema;
 #[path = "report/source.rs"]

@@ -1,7 +1,7 @@
 //! Radical inverses and grids against exact rationals, and their net properties.
 
 use corput::bulk::Reference;
-use corput::catalog::{Options, Request, Scramble, Sequence};
+use corput::catalog::{Engine, Options, Request, Scramble, Sequence};
 use corput::judge;
 use corput::reference::{hammersley, odometer, radical_inverse, unit};
 use corput::tables::PRIMES;
@@ -252,7 +252,7 @@ fn correlation(bases: [u64; 2], count: u64, scramble: Scramble, seed: Option<u64
         .any(|text| text.contains("on lines"));
     assert_eq!(warned, seed.is_none(), "{:?}", request.warnings);
     let mut words = vec![0; 2 * count as usize];
-    Reference::new(&request).fill(0, &mut words);
+    Reference::new(&request).fill(0, &mut words).unwrap();
     let column = |j| words.iter().skip(j).step_by(2).map(|&u| f64::from(u));
     let mean = |j| column(j).sum::<f64>() / count as f64;
     let [a, b] = [mean(0), mean(1)];

@@ -61,7 +61,7 @@ fn requests() -> Vec<Request> {
 /// The words of some points, by the CPU.
 fn reference(request: &Request, start: u64, count: u64) -> Vec<u32> {
     let mut words = vec![0; (count * u64::from(request.words_per_point())) as usize];
-    Reference::new(request).fill(start, &mut words);
+    Reference::new(request).fill(start, &mut words).unwrap();
     words
 }
 

@@ -19,13 +19,13 @@ fn request(mapping: &Mapping, count: u64) -> Request {
 
 /// The words that differ, of all the words of a request.
 fn mismatches(engine: &mut Generator, request: &Request) -> (u64, u64) {
-    let reference = Reference::new(request);
+    let mut reference = Reference::new(request);
     let width = u64::from(request.words_per_point());
     let (mut done, mut differ) = (0, 0);
     engine
         .make(0, request.count, &mut |words| {
             let mut expected = vec![0; words.len()];
-            reference.fill(done, &mut expected);
+            reference.fill(done, &mut expected)?;
             differ += words.iter().zip(&expected).filter(|(a, b)| a != b).count() as u64;
             done += words.len() as u64 / width;
             Ok(())

@@ -20,11 +20,14 @@ mod shares;
 mod slurm;
 #[path = "store/spec.rs"]
 mod spec;
+#[path = "store/study.rs"]
+mod study;
 mod support;
 #[path = "store/verify.rs"]
 mod verify;
 
 use desk::{Desk, Run, repository};
+use shards::Worker;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;

@@ -2,7 +2,7 @@
 
 use crate::job::{Contender, Job, Kind};
 use corput::bulk::Reference;
-use corput::catalog::{Order, Sequence};
+use corput::catalog::{Engine, Order, Sequence};
 use corput::kernels::Generator;
 use corput::vulkan::{Device, Instance, InstanceOptions, select};
 use std::error::Error;
@@ -16,7 +16,7 @@ struct Cpu(Reference);
 impl Contender for Cpu {
     fn make(&mut self, memory: &mut [f32]) -> Result<f64, Box<dyn Error>> {
         let begun = Instant::now();
-        self.0.fill(0, bytemuck::cast_slice_mut(memory));
+        self.0.fill(0, bytemuck::cast_slice_mut(memory))?;
         Ok(begun.elapsed().as_secs_f64())
     }
 }

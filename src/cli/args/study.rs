@@ -51,6 +51,15 @@ pub struct ConvergeArgs {
     /// goes on from the cells that it keeps there.
     #[arg(long, value_name = "DIR")]
     pub report: Option<PathBuf>,
+    /// Measure share I of N of the cells, from 0, and keep them in the folder: other machines, or
+    /// processes, measure the others into the same. `corput merge DIR` then writes the report.
+    #[arg(
+        long,
+        value_name = "I/N",
+        requires = "report",
+        allow_hyphen_values = true
+    )]
+    pub shard: Option<Shard>,
     /// Begin anew in place of going on.
     #[arg(long, requires = "report")]
     pub fresh: bool,

@@ -1,17 +1,19 @@
 //! Figures of an earlier report that a new one in the same folder does not have.
 
+use crate::report::{STUDY, read_json};
 use crate::{Error, Result};
 use serde_json::Value;
 use std::path::Path;
 
+/// Bytes of a document at most.
+const MOST: u64 = 1 << 30;
+
 /// The figures that the report in a folder says it wrote; none where there is none of this form.
 /// Other names in it are not believed: a report's figures are called `01-name-time.svg` and so on.
 pub fn figures(folder: &Path) -> Vec<String> {
-    let text = std::fs::read_to_string(folder.join("results.json"));
-    let document: Option<Value> = text.ok().and_then(|text| serde_json::from_str(&text).ok());
-    let document = document.unwrap_or(Value::Null);
+    let document = read_json(&folder.join(STUDY.document), MOST, "").unwrap_or(Value::Null);
     let schema = document.get("schema").and_then(Value::as_str);
-    if !schema.is_some_and(|schema| schema.starts_with("corput-converge/")) {
+    if !schema.is_some_and(|schema| schema.starts_with(STUDY.schema)) {
         return Vec::new();
     }
     let files = document.get("files").and_then(Value::as_array);

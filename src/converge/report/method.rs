@@ -31,9 +31,23 @@ pub fn method(results: &Results) -> String {
         .collect();
     format!(
         "<section id=\"method\">\n<h2>How this was measured</h2>\n<dl>\n{facts}</dl>\n\
-         <p>To run it again:</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n{}</section>\n",
+         <p>To run it again:</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n{}{}</section>\n",
         escape(&setting.command),
-        paragraphs(setting.replicates)
+        paragraphs(setting.replicates),
+        shards(setting.shards)
+    )
+}
+
+/// What is different where shards measured it.
+fn shards(many: u64) -> String {
+    if many == 1 {
+        return String::new();
+    }
+    format!(
+        "<p><strong>Shards.</strong> {many} shards measured their cells apart, perhaps on several machines, \
+         perhaps at once. Errors do not depend on it. Each time is that of the device of its cell, with what \
+         that machine had to do meanwhile; times are compared where the device and its driver have one \
+         name, and machines of one name are taken to be alike.</p>\n"
     )
 }
 

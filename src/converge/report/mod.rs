@@ -28,8 +28,9 @@ const DOCUMENT: &str = "results.json";
 ///
 /// # Errors
 /// [`Error::Output`] and [`Error::Io`] for a file that cannot be written, or an old figure that
-/// cannot be removed.
+/// cannot be removed; those of [`check_folder`].
 pub fn write(results: &Results, folder: &Path) -> Result<Vec<PathBuf>> {
+    check_folder(folder)?;
     let earlier = earlier::figures(folder);
     let mut names: Vec<String> = Vec::new();
     let mut save = |name: &str, bytes: &[u8]| -> Result<()> {
@@ -59,6 +60,15 @@ pub fn write(results: &Results, folder: &Path) -> Result<Vec<PathBuf>> {
         document(results, &names, folder)?.as_bytes(),
     )?;
     Ok(names.iter().map(|name| folder.join(name)).collect())
+}
+
+/// That [`write()`] may replace the page in a folder: for what takes long before there is something
+/// to write.
+///
+/// # Errors
+/// [`Error::Output`] for a folder with the report card of a device, whose page has the same name.
+pub fn check_folder(folder: &Path) -> Result<()> {
+    report::CARD.refuse(folder)
 }
 
 /// The document with the names of the report's files.

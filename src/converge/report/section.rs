@@ -3,7 +3,7 @@
 use super::figures::{Figure, Pair, relative};
 use super::words::{error, escape, group_by_estimator, table, target, time};
 use crate::converge::hits::ENOUGH;
-use crate::converge::{Series, Statistic};
+use crate::converge::{Series, Statistic, comparable};
 use crate::plot::{duration, grouped, scientific};
 
 /// Facts, figures, tables and notes.
@@ -113,6 +113,12 @@ fn notes(group: &[&Series]) -> Vec<String> {
             scientific(half)
         ));
     }
+    if !comparable(group) {
+        notes.push(
+            "Several devices measured it: run times are each device's own, and not comparable."
+                .to_owned(),
+        );
+    }
     notes.extend(few_hits(group));
     for series in group {
         let name = series.label();
@@ -205,6 +211,10 @@ fn times(integrand: &str, group: &[&Series], targets: &[f64]) -> String {
         .map(str::to_owned)
         .to_vec();
     head.extend(targets.iter().map(|one| format!("to {}", target(*one))));
+    let several = !comparable(group);
+    if several {
+        head.push("device".to_owned());
+    }
     let row = |one: &&Series| {
         let last = one.analysis.errors.last();
         let mut row = vec![
@@ -217,6 +227,9 @@ fn times(integrand: &str, group: &[&Series], targets: &[f64]) -> String {
             let reached = one.analysis.reached(target * one.scale());
             reached.map_or("-".to_owned(), |reached| time(reached.seconds))
         }));
+        if several {
+            row.push(one.device.clone());
+        }
         row
     };
     let rows: Vec<Vec<String>> = group.iter().map(row).collect();

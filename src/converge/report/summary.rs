@@ -1,7 +1,7 @@
 //! What to use, in sentences.
 
 use super::words::{escape, floor, number, target as written, time};
-use crate::converge::{Results, Series, Standing, standings};
+use crate::converge::{Results, Series, Standing, comparable, standings};
 use crate::plot::grouped;
 use std::fmt::Write;
 
@@ -10,7 +10,13 @@ pub fn summary(results: &Results) -> String {
     let mut text = String::new();
     for (integrand, group) in results.by_integrand() {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "<h3>{}</h3>\n<ul>", escape(integrand));
+        let _ = writeln!(text, "<h3>{}</h3>", escape(integrand));
+        if !comparable(&group) {
+            text += "<p>Several devices measured it, whose run times are not comparable: the tables below \
+                     name them.</p>\n";
+            continue;
+        }
+        text += "<ul>\n";
         for &target in &results.setting.targets {
             let _ = writeln!(text, "<li>{}</li>", sentence(&group, target));
         }

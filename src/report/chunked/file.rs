@@ -196,12 +196,10 @@ impl Chunked {
             &sha256,
         );
         let described = sidecar::save(&self.real, &document)?;
-        let renamed = fs::rename(&self.partial, &self.real);
-        renamed.map_err(|source| {
-            // It describes data that is not there.
-            let _ = fs::remove_file(&described);
-            failed("rename the finished file to", &self.asked, source)
-        })?;
+        if let Err(source) = fs::rename(&self.partial, &self.real) {
+            described.take_back();
+            return Err(failed("rename the finished file to", &self.asked, source));
+        }
         let synced = sync_folder(&self.real);
         synced.map_err(|source| failed("sync the folder of", &self.asked, source))?;
         Ok((bytes, sha256))

@@ -5,12 +5,13 @@
 //! on this file is what keeps two runs apart; it ends with the process that holds it.
 
 use super::super::difference::{Difference, differences};
+use super::super::lock::try_lock;
 use super::super::place::{cannot_create, refused, sync_folder};
 use super::Chunk;
 use super::sidecar::MAX_BYTES;
 use crate::error::Result;
 use serde_json::{Value, json};
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -46,15 +47,10 @@ impl Journal {
                 .truncate(false)
                 .open(&path)
                 .map_err(|source| cannot_create(asked, &path, &source))?;
-            match file.try_lock() {
-                Ok(()) => {}
-                Err(TryLockError::WouldBlock) => return Err(busy()),
-                // Some network file systems have no locks.
-                Err(TryLockError::Error(source)) if source.kind() == io::ErrorKind::Unsupported => {
-                }
-                Err(TryLockError::Error(source)) => {
-                    return Err(cannot_create(asked, &path, &source));
-                }
+            match try_lock(&file) {
+                Ok(true) => {}
+                Ok(false) => return Err(busy()),
+                Err(source) => return Err(cannot_create(asked, &path, &source)),
             }
             if is_named(&file, &path) {
                 return Ok(Self {

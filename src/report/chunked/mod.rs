@@ -12,15 +12,17 @@ mod journal;
 mod pipeline;
 mod recover;
 mod sidecar;
+mod turn;
 
 pub use sidecar::{Origin, SIDECAR_SCHEMA, Sidecar};
 
 pub(super) use file::Chunked;
-pub(super) use sidecar::{check_free, document, recorded, save_unlocked, whole_description};
+pub(super) use sidecar::{check_free, document, recorded, save as describe, whole_description};
+pub(super) use turn::Turn;
 
 use super::Layout;
 use super::encode::Encoder;
-use super::place::{Existing, existing};
+use super::place::{Existing, existing, refused};
 use crate::error::{Error, Result};
 use journal::Journal;
 use serde_json::Value;
@@ -99,7 +101,8 @@ impl Keeping {
 }
 
 /// Whether the file is there with a sidecar of the same origin and form, and no partial file
-/// is. Its bytes are not read. A journal that a kill left behind the last rename is removed.
+/// is. Its bytes are not read. A journal that a kill left behind the last rename is removed. One
+/// that another version finished is refused: this one may make other bits.
 pub(super) fn is_finished(path: &Path, encoder: &Encoder, origin: &Origin) -> Result<bool> {
     let Existing::File(real) = existing(path)? else {
         return Ok(false);
@@ -111,8 +114,16 @@ pub(super) fn is_finished(path: &Path, encoder: &Encoder, origin: &Origin) -> Re
     let finished = !beside(&real, PARTIAL).exists()
         && length == Some(found.bytes)
         && found.origin.arguments == origin.arguments
-        && found.version == env!("CARGO_PKG_VERSION")
         && (found.format, found.layout) == (encoder.format, encoder.layout);
+    let own = env!("CARGO_PKG_VERSION");
+    if finished && found.version != own {
+        let by = found.version;
+        return Err(refused(
+            path,
+            format!("version {by} of corput finished it, and this is {own}"),
+            "check it with `corput verify`, or drop --resume to make it again",
+        ));
+    }
     let left = beside(&real, JOURNAL);
     if finished && left.exists() {
         Journal::open(left, path)?.remove();

@@ -3,11 +3,13 @@
 use super::{Chunk, PARTIAL, beside};
 use crate::error::{Error, Result};
 use crate::report::aside::Aside;
+use crate::report::bounded;
 use crate::report::encode::Encoder;
 use crate::report::place::{Existing, existing, failed, refused as unwritable};
 use crate::report::{Element, Format, Layout, read_json};
 use serde_json::{Value, json};
 use std::ffi::OsString;
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -240,35 +242,45 @@ pub(in crate::report) fn document(
     format!("{description:#}\n").into_bytes()
 }
 
-/// Writes the sidecar of a file aside and then under its name, which it returns. The file's journal
-/// keeps others away.
-pub(super) fn save(file: &Path, document: &[u8]) -> Result<PathBuf> {
-    save_by(file, document, |name| {
-        Aside::create(beside(name, PARTIAL), name, name.to_owned())
-    })
+/// A sidecar that has its name before its file does.
+pub(in crate::report) struct Described {
+    name: PathBuf,
+    /// What was under its name.
+    before: Option<Vec<u8>>,
 }
 
-/// The same of a file without a journal, which another process may write too.
-pub(in crate::report) fn save_unlocked(file: &Path, document: &[u8]) -> Result<PathBuf> {
-    save_by(file, document, |name| {
-        let folder = name.parent().unwrap_or(Path::new("."));
-        Aside::create_in(folder, name, name.to_owned())
-    })
+impl Described {
+    /// Puts back what was there: the file did not come, and an older one is still described by
+    /// that.
+    pub(in crate::report) fn take_back(self) {
+        let put_back = self
+            .before
+            .is_some_and(|before| put(&self.name, &before).is_ok());
+        if !put_back {
+            // It describes data that is not there.
+            let _ = std::fs::remove_file(&self.name);
+        }
+    }
 }
 
-fn save_by(
-    file: &Path,
-    document: &[u8],
-    create: impl FnOnce(&Path) -> io::Result<Aside>,
-) -> Result<PathBuf> {
+/// Writes the sidecar of a file aside and then under its name. The file's journal keeps others
+/// away.
+pub(in crate::report) fn save(file: &Path, document: &[u8]) -> Result<Described> {
     let name = Sidecar::path_of(file);
-    let io = |source| failed("write", &name, source);
     let Existing::File(name) = existing(&name)? else {
-        return Err(io(io::Error::other("it is no regular file any more")));
+        let problem = io::Error::other("it is no regular file any more");
+        return Err(failed("write", &name, problem));
     };
-    let io = |source| failed("write", &name, source);
-    let mut aside = create(&name).map_err(io)?;
+    let before = File::open(&name).ok();
+    // That of others is none, which was refused before.
+    let before = before.and_then(|file| bounded::bytes(file, MAX_BYTES).ok());
+    put(&name, document)?;
+    Ok(Described { name, before })
+}
+
+fn put(name: &Path, document: &[u8]) -> Result<()> {
+    let aside = Aside::create(beside(name, PARTIAL), name, name.to_owned());
+    let mut aside = aside.map_err(|source| failed("write", name, source))?;
     aside.fill(document)?;
-    aside.commit()?;
-    Ok(name)
+    aside.commit()
 }

@@ -1,5 +1,6 @@
 //! Whether a store is whole, and what its array hashes to.
 
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::ops::Range;
@@ -43,7 +44,7 @@ fn is_read_only(error: &io::Error) -> bool {
 }
 
 impl Store {
-    /// Reads every chunk and compares it with its record; `step` is told how many are done. A
+    /// Reads every chunk that is there and compares it with its record; `step` is told how many are done. A
     /// store without faults then has the record of the whole, and nothing that is unfinished.
     ///
     /// # Errors
@@ -53,14 +54,24 @@ impl Store {
     pub fn survey(&self, step: &mut dyn FnMut(u64) -> Result<()>) -> Result<Survey> {
         let mut whole = Sha256::new();
         let mut faults: Vec<(Range<u64>, Fault)> = Vec::new();
-        for chunk in 0..self.chunks() {
-            if let Some(fault) = self.compare(chunk, &mut |bytes| whole.update(bytes))? {
-                match faults.last_mut() {
-                    Some((run, last)) if run.end == chunk && *last == fault => run.end += 1,
-                    _ => faults.push((chunk..chunk + 1, fault)),
-                }
+        let mut add = |run: Range<u64>, fault: Fault| match faults.last_mut() {
+            Some((last, same)) if last.end == run.start && *same == fault => last.end = run.end,
+            _ => faults.push((run, fault)),
+        };
+        let mut next = 0;
+        for chunk in self.present()? {
+            if next < chunk {
+                add(next..chunk, Fault::Missing);
             }
-            step(chunk + 1)?;
+            if let Some(fault) = self.compare(chunk, &mut |bytes| whole.update(bytes))? {
+                add(chunk..chunk + 1, fault);
+            }
+            next = chunk + 1;
+            step(next)?;
+        }
+        if next < self.chunks() {
+            add(next..self.chunks(), Fault::Missing);
+            step(self.chunks())?;
         }
         let sha256 = hexadecimal(&whole.finalize());
         let path = self.records().join("array.json");
@@ -79,6 +90,29 @@ impl Store {
             let _ = std::fs::remove_file(path);
         }
         Ok(Survey { faults, sha256 })
+    }
+
+    /// The chunks of which there is a folder, rising. However many a description speaks of, no
+    /// more are looked at.
+    fn present(&self) -> Result<BTreeSet<u64>> {
+        let folder = self.path.join("c");
+        let failed = |error| failed("read", &folder, error);
+        let entries = match std::fs::read_dir(&folder) {
+            Ok(entries) => entries,
+            Err(error)
+                if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) =>
+            {
+                return Ok(BTreeSet::new());
+            }
+            Err(error) => return Err(failed(error)),
+        };
+        let mut found = BTreeSet::new();
+        for entry in entries {
+            let name = entry.map_err(failed)?.file_name();
+            let number = name.to_str().and_then(|name| name.parse::<u64>().ok());
+            found.extend(number.filter(|chunk| *chunk < self.chunks()));
+        }
+        Ok(found)
     }
 
     /// What is wrong with a chunk, if anything is.

@@ -2,6 +2,7 @@
 
 use super::names::short;
 use super::{MOST_BYTES, MOST_JSON, SUPPORTED};
+use crate::report::bounded_bytes;
 use crate::scene::refused;
 use crate::{Error, Result};
 use gltf::json::{Root, mesh::Semantic, validation::Checked};
@@ -31,7 +32,10 @@ pub(super) fn open(path: &Path) -> Result<Opened> {
     if about.len() > MOST_BYTES {
         return Err(too_large(path, "the file", about.len(), "2^30"));
     }
-    let bytes = std::fs::read(path).map_err(failed)?;
+    // It may have grown.
+    let file = std::fs::File::open(path).map_err(failed)?;
+    let bytes = bounded_bytes(file, MOST_BYTES)
+        .map_err(|problem| refused(path, problem, "give a glTF file"))?;
     sizes(&bytes, path)?;
     let Gltf { document, blob } = Gltf::from_slice_without_validation(&bytes)
         .map_err(|error| refused(path, short_error(&error), BROKEN))?;

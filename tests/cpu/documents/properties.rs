@@ -168,6 +168,9 @@ pub fn zarr(data: &[u8]) {
                     Some(zarr::Fault::Missing)
                 );
                 if store.layout().rows > 0 {
+                    // However many chunks it speaks of, none is looked for.
+                    let survey = store.survey(&mut |_| Ok(())).expect("no chunk");
+                    assert_eq!(survey.lacking(), store.chunks());
                     assert!(store.chunks() > 0 && store.rows(0).start == 0);
                     let mut comparison = zarr::Comparison::new(&store, 0..1).expect("a row");
                     let words = store.layout().columns.min(4) as usize;

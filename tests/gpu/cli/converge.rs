@@ -165,6 +165,78 @@ fn studies_that_cannot_be_made() {
         .expect(2, &["cannot write file"]);
 }
 
+/// What has no end, and what has more bytes than any such document: neither is read to the end.
+#[test]
+fn documents_are_read_within_bounds() {
+    let desk = Desk::new();
+    let large = |name: &str, bytes: u64| {
+        let file = std::fs::File::create(desk.path(name)).unwrap();
+        file.set_len(bytes).unwrap();
+    };
+    large("s.toml", (1 << 20) + 1);
+    large("card.json", (64 << 20) + 1);
+    let study = [
+        "cannot use study",
+        "more than 1048576 bytes, the limit",
+        "as the README shows",
+    ];
+    desk.run("converge --study s.toml --device cpu")
+        .expect(2, &study);
+    desk.run("scene s.toml").expect(
+        2,
+        &[
+            "cannot use scene",
+            "more than 1048576 bytes, the limit",
+            "give a scene file",
+        ],
+    );
+    let card = [
+        "cannot use card.json",
+        "more than 67108864 bytes, the limit",
+        "--report DIR",
+    ];
+    desk.run("check --compare card.json card.json")
+        .expect(2, &card);
+    if cfg!(unix) {
+        desk.run("converge --study /dev/zero --device cpu")
+            .expect(2, &study);
+        desk.run("check --compare /dev/zero /dev/zero")
+            .expect(2, &["cannot use /dev/zero", "67108864 bytes, the limit"]);
+    }
+}
+
+/// The page of a study and that of a driver's card have one name.
+#[test]
+fn a_report_is_not_written_over_another() {
+    let desk = Desk::new();
+    let line = "converge --integrand x-squared --sampler random --max-count 64 --replicates 2 \
+                --device cpu --report";
+    desk.run(&format!("{line} study")).expect(0, &[]);
+    let page = desk.bytes("study/report.html");
+    desk.run("check --only unit_stratum --report study").expect(
+        2,
+        &[
+            "cannot write study/report.html: it is the report of `corput converge`",
+            "another folder with --report",
+        ],
+    );
+    assert_eq!(desk.bytes("study/report.html"), page);
+    std::fs::create_dir(desk.path("card")).unwrap();
+    std::fs::write(desk.path("card/report.html"), "a card").unwrap();
+    std::fs::write(
+        desk.path("card/report.json"),
+        "{\"schema\":\"corput-card/2\"}",
+    )
+    .unwrap();
+    for line in [format!("{line} card"), format!("{line} card --shard 0/1")] {
+        let words = ["card/report.html: it is the report of `corput check`, whose report.json"];
+        desk.run(&line).expect(2, &words);
+    }
+    assert_eq!(desk.bytes("card/report.html"), b"a card");
+    // Its own it replaces.
+    desk.run(&format!("{line} study")).expect(0, &[]);
+}
+
 #[test]
 fn the_study_of_the_tests_can_be_run() {
     let desk = Desk::new();

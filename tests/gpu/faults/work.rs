@@ -45,7 +45,7 @@ pub fn samples() -> Request {
 /// All words of a request.
 pub fn reference(request: &Request) -> Vec<u32> {
     let mut words = vec![0; (request.count * u64::from(request.words_per_point())) as usize];
-    Reference::new(request).fill(0, &mut words);
+    Reference::new(request).fill(0, &mut words).unwrap();
     words
 }
 

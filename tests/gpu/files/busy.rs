@@ -85,6 +85,31 @@ fn a_finished_file_is_not_made_again() {
 }
 
 #[test]
+fn what_another_version_finished_is_not_discarded() {
+    let desk = Desk::new();
+    let line = "generate halton --count 1000 --device cpu --out p.npy";
+    desk.run(line).expect(0, &[]);
+    let sidecar = String::from_utf8(desk.bytes("p.npy.json")).unwrap();
+    let own = env!("CARGO_PKG_VERSION");
+    let older = sidecar.replace(&format!("\"version\": \"{own}\""), "\"version\": \"0.0.9\"");
+    assert_ne!(older, sidecar);
+    // Bytes that only that version makes.
+    let mut bytes = desk.bytes("p.npy");
+    *bytes.last_mut().unwrap() ^= 1;
+    std::fs::write(desk.path("p.npy"), &bytes).unwrap();
+    std::fs::write(desk.path("p.npy.json"), &older).unwrap();
+    let run = desk.run(&format!("{line} --resume"));
+    let said = format!("version 0.0.9 of corput finished it, and this is {own}");
+    run.expect(2, &["p.npy: ", &said, "corput verify", "drop --resume"]);
+    assert_eq!(desk.bytes("p.npy"), bytes);
+    assert_eq!(desk.bytes("p.npy.json"), older.as_bytes());
+    assert_eq!(desk.names(), ["p.npy", "p.npy.json"]);
+    // Without --resume it is made again.
+    desk.run(line).expect(0, &[]);
+    assert_eq!(desk.bytes("p.npy.json"), sidecar.as_bytes());
+}
+
+#[test]
 fn chunks_are_those_of_files() {
     let desk = Desk::new();
     for option in ["--resume", "--chunk-rows 5"] {

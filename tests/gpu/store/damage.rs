@@ -1,6 +1,6 @@
 //! What `corput merge` finds, and what makes it whole again.
 
-use super::{Desk, Run};
+use super::{Desk, Run, Worker};
 use std::fs::{self, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 
@@ -38,6 +38,33 @@ fn flip(desk: &Desk, name: &str, at: u64) {
         .expect("it opens");
     file.seek(SeekFrom::Start(at)).expect("a seek");
     file.write_all(&[bytes[at as usize] ^ 1]).expect("a write");
+}
+
+#[test]
+fn a_description_of_more_than_there_is_takes_no_time() {
+    let desk = Desk::new();
+    desk.say("generate halton --count 4 --dims 1 --device cpu --out s.zarr");
+    let path = desk.path("s.zarr/zarr.json");
+    let text = fs::read_to_string(&path).expect("a description");
+    let rows = 1u64 << 60;
+    let most = text.replacen(
+        "\"shape\": [\n    4,",
+        &format!("\"shape\": [\n    {rows},"),
+        1,
+    );
+    assert_ne!(most, text);
+    fs::write(&path, most).expect("written");
+    let line = "merge s.zarr --shards 2";
+    let worker = Worker::start(&desk, line);
+    let run = worker.end_within(std::time::Duration::from_secs(20), line);
+    let last = rows / (1 << 22) - 1;
+    run.tells(
+        1,
+        &[
+            "chunk 0 is of an array with other arguments",
+            &format!("chunks 1 to {last} are missing: --shard 0/2 to 1/2 make them again"),
+        ],
+    );
 }
 
 #[test]

@@ -160,7 +160,7 @@ fn what_cannot_be_merged() {
         ("empty", ["empty/zarr.json", "there is no such file"]),
         (
             "s.zarr text",
-            ["the store s.zarr with others", "give it alone"],
+            ["the folder s.zarr with others", "give it alone"],
         ),
         ("s.zarr --shards 0", ["shard 0/0", "at least one shard"]),
         ("text", ["cannot use text", "corput estimate --json"]),

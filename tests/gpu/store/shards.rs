@@ -61,10 +61,10 @@ fn a_device_makes_the_same_store() {
 }
 
 /// A worker of a shard, ended at the latest with the test.
-struct Worker(Option<Child>);
+pub struct Worker(Option<Child>);
 
 impl Worker {
-    fn start(desk: &Desk, line: &str) -> Self {
+    pub fn start(desk: &Desk, line: &str) -> Self {
         let mut command = desk.command(line);
         let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
         Self(Some(command.spawn().expect("corput starts")))
@@ -72,8 +72,13 @@ impl Worker {
 
     /// Waits until there is a file.
     fn wait_for(&self, path: &Path) {
+        self.wait_until(|| path.exists());
+    }
+
+    /// Waits until it has come so far.
+    pub fn wait_until(&self, done: impl Fn() -> bool) {
         let begun = Instant::now();
-        while !path.exists() {
+        while !done() {
             assert!(begun.elapsed() < Duration::from_secs(60), "it makes none");
             sleep(Duration::from_millis(1));
         }
@@ -86,7 +91,18 @@ impl Worker {
         assert!(sent.expect("kill runs").success());
     }
 
-    fn end(mut self, line: &str) -> Run {
+    /// The same of one that does not take as long as this.
+    pub fn end_within(mut self, time: Duration, line: &str) -> Run {
+        let begun = Instant::now();
+        let child = self.0.as_mut().expect("it runs");
+        while child.try_wait().expect("it is known").is_none() {
+            assert!(begun.elapsed() < time, "`{line}` takes more than {time:?}");
+            sleep(Duration::from_millis(5));
+        }
+        self.end(line)
+    }
+
+    pub fn end(mut self, line: &str) -> Run {
         let child = self.0.take().expect("it runs");
         Run::left(line, child.wait_with_output().expect("it ends"))
     }

@@ -29,6 +29,22 @@ fn shards_have_each_item_once() {
 }
 
 #[test]
+fn items_that_are_dealt_are_in_one_shard() {
+    for count in 1..=9 {
+        for item in 0..30 {
+            let having = (0..count).filter(|index| shard(*index, count).is_dealt(item));
+            let having: Vec<u64> = having.collect();
+            let dealt = Shard::dealing(item, count).expect("a shard");
+            assert_eq!(
+                (having, dealt.parts()),
+                (vec![item % count], (item % count, count))
+            );
+        }
+    }
+    assert!(Shard::dealing(3, 0).is_err());
+}
+
+#[test]
 fn the_largest_numbers_are_no_trouble() {
     let most = u64::MAX;
     assert_eq!(shard(most - 1, most).of(most), most - 1..most);
