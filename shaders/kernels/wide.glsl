@@ -1,4 +1,4 @@
-// The words of consecutive points without a loop: a macro per column and point.
+// The words of consecutive points without a loop over them: a macro per column and point.
 #ifndef KERNEL_WIDE_GLSL
 #define KERNEL_WIDE_GLSL
 

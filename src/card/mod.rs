@@ -11,6 +11,7 @@ pub use statistics::{Statistic, statistics};
 pub use supplement::Supplement;
 
 use crate::check::{Outcome, Row, junit};
+use crate::compile::policy;
 use crate::extreme;
 use crate::interface::{KERNELS, Profile};
 use crate::kernels::spirv;
@@ -177,11 +178,7 @@ fn kernel(kernel: &crate::interface::Kernel) -> Result<Value> {
         kernel.profile,
         Profile::Integer | Profile::Wide | Profile::Float
     );
-    let policy = match exact {
-        true => modules::exact_policy(),
-        false => modules::native_policy(),
-    };
-    let report = modules::lint(&words, &policy).map_err(|error| Error::Shader {
+    let report = modules::lint(&words, &policy(kernel.profile)).map_err(|error| Error::Shader {
         shader: kernel.name.to_owned(),
         problem: error.to_string(),
     })?;

@@ -26,6 +26,7 @@ pub fn cases() -> Result<Vec<Case>> {
         }
     }
     wide(&mut cases)?;
+    large(&mut cases)?;
     mapped(&mut cases)?;
     fused(&mut cases)?;
     Ok(cases)
@@ -55,6 +56,33 @@ fn wide(cases: &mut Vec<Case>) -> Result<()> {
                 o.dimensions = Some(dimensions);
                 o.first = first;
                 o.count = 8;
+            })?);
+        }
+    }
+    Ok(())
+}
+
+/// So many points that a device with 64-bit integers may have a kernel for them without a loop
+/// over points, which is checked where that is so.
+fn large(cases: &mut Vec<Case>) -> Result<()> {
+    let list: [(Sequence, Option<Scramble>, &[u64]); 8] = [
+        (Sequence::VanDerCorput, None, &[1]),
+        (Sequence::Hammersley, None, &[2]),
+        (Sequence::Sobol, None, &[1, 2, 3, 4, 8, 16]),
+        (Sequence::Sobol, Some(Scramble::Matrix), &[2]),
+        (Sequence::Sobol, Some(Scramble::OwenHash), &[2]),
+        (Sequence::Random, None, &[1, 2, 3, 4]),
+        (Sequence::RandomFast, None, &[4]),
+        (Sequence::R2, None, &[1, 2, 3, 4]),
+    ];
+    for (sequence, scramble, widths) in list {
+        for &dimensions in widths {
+            let scrambled = scramble.map_or(String::new(), |one| format!(" {}", one.name()));
+            let name = format!("{}{scrambled} d={dimensions}, many", sequence.name());
+            cases.push(case(name, "large", |o| {
+                o.sequence = sequence;
+                o.scramble = scramble;
+                o.dimensions = (sequence != Sequence::VanDerCorput).then_some(dimensions);
             })?);
         }
     }

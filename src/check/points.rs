@@ -102,6 +102,7 @@ impl Maker {
         let request = &case.request;
         Ok(Self(match case.kernel {
             "generate" => Generator::general(device, request)?,
+            "tile" => Generator::without_int64(device, request)?,
             _ => Generator::new(device, request)?,
         }))
     }

@@ -73,18 +73,23 @@ pub fn to_spirv(
     }
 }
 
+/// The rules of a profile.
+#[must_use]
+pub fn policy(profile: Profile) -> spirv::Policy {
+    match profile {
+        Profile::Integer | Profile::Float => spirv::exact_policy(),
+        Profile::Wide => spirv::exact_policy().wide(),
+        Profile::Native | Profile::Probe => spirv::native_policy(),
+    }
+}
+
 /// Decorates a module and holds it to the rules of its profile.
 ///
 /// # Errors
 /// Every violation, with function and opcode.
 pub fn check(words: &[u32], profile: Profile) -> Result<Vec<u32>, String> {
     let words = spirv::decorate_no_contraction(words).map_err(|error| error.to_string())?;
-    let policy = match profile {
-        Profile::Integer | Profile::Float => spirv::exact_policy(),
-        Profile::Wide => spirv::exact_policy().wide(),
-        Profile::Native | Profile::Probe => spirv::native_policy(),
-    };
-    let report = spirv::lint(&words, &policy).map_err(|error| error.to_string())?;
+    let report = spirv::lint(&words, &policy(profile)).map_err(|error| error.to_string())?;
     if !report.is_clean() {
         let lines: Vec<String> = report.violations.iter().map(ToString::to_string).collect();
         return Err(format!("the linter refuses it:\n{}", lines.join("\n")));

@@ -3,12 +3,12 @@
 mod record;
 
 use super::Mapper;
-use super::points::{BUFFER_BYTES, Points, add, choose, fractions, module};
-use crate::Result;
-use crate::catalog::{Engine, Request};
+use super::points::{BUFFER_BYTES, Choice, Points, add, choose, fractions, module};
+use crate::catalog::{Engine, Request, check_points};
 use crate::interface::task;
 use crate::variant::Plan;
 use crate::vulkan::{Access, Buffer, Device, Timing};
+use crate::{Error, Result};
 use std::sync::Arc;
 
 /// Words of the first dispatch: short on the slowest device.
@@ -46,7 +46,15 @@ impl Generator {
     /// # Errors
     /// Those of the device.
     pub fn new(device: &Arc<Device>, request: &Request) -> Result<Self> {
-        Self::choose(device, request, false)
+        Self::choose(device, request, Choice::Usual)
+    }
+
+    /// The same with the kernel that a device without 64-bit integers gets.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn without_int64(device: &Arc<Device>, request: &Request) -> Result<Self> {
+        Self::choose(device, request, Choice::WithoutInt64)
     }
 
     /// The same with the general kernel, which every other must equal. A request whose map
@@ -55,13 +63,13 @@ impl Generator {
     /// # Errors
     /// Those of the device.
     pub fn general(device: &Arc<Device>, request: &Request) -> Result<Self> {
-        Self::choose(device, request, true)
+        Self::choose(device, request, Choice::General)
     }
 
-    fn choose(device: &Arc<Device>, request: &Request, general: bool) -> Result<Self> {
+    fn choose(device: &Arc<Device>, request: &Request, choice: Choice) -> Result<Self> {
         let apart = request.map.as_ref().filter(|m| !m.map().group.fused());
         let Some(mapping) = apart else {
-            let plan = choose(device, request, general);
+            let plan = choose(device, request, choice);
             let words = module(&plan)?;
             return Self::with_module(device, request, plan, &words);
         };
@@ -74,7 +82,7 @@ impl Generator {
         )?;
         let width = u64::from(request.words_per_point());
         let inner = fractions(request);
-        let plan = choose(device, &inner, general);
+        let plan = choose(device, &inner, choice);
         let words = module(&plan)?;
         let most = BUFFER_BYTES / (4 * width);
         let points = Points::new(device, &inner, plan, &words, Access::DeviceOnly, most)?;
@@ -112,7 +120,7 @@ impl Generator {
 
     fn start(points: Points, request: &Request, mapped: Option<Mapped>) -> Self {
         let width = u64::from(request.words_per_point());
-        let limit = points.limit();
+        let limit = points.limit().min(request.count);
         let first = (FIRST_WORDS / width).next_multiple_of(points.tile());
         Self {
             width,
@@ -146,8 +154,13 @@ impl Generator {
     /// results stay in the buffer. The time is that of all dispatches they take.
     ///
     /// # Errors
-    /// Those of the device.
+    /// [`Error::Arguments`] for points that the request does not have, and for more than the limit;
+    /// those of the device.
     pub fn dispatch(&mut self, start: u64, points: u64) -> Result<Timing> {
+        check_points(self.count, start, points)?;
+        if points > self.limit {
+            return Err(self.too_many(points));
+        }
         let mut total = self.points.dispatch(start, points)?;
         if let Some(mapped) = &self.mapped {
             let input = self.points.results();
@@ -157,6 +170,14 @@ impl Generator {
             );
         }
         Ok(total)
+    }
+
+    fn too_many(&self, points: u64) -> Error {
+        Error::Arguments {
+            asked: format!("{points} points of {} bytes", 4 * self.width),
+            limit: format!("{} are made at a time", self.limit),
+            remedy: "ask several times".into(),
+        }
     }
 
     /// Brings the chunk nearer to what the device makes in a tenth of a second, after a

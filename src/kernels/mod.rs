@@ -25,7 +25,7 @@ pub use pixels::PixelEstimator;
 pub use reducer::{Reducer, Split, largest_group};
 pub use void_and_cluster::VoidAndCluster;
 
-use crate::interface::{KERNELS, Kernel};
+use crate::interface::{KERNELS, Kernel, Profile};
 use crate::report::hexadecimal;
 use crate::spirv::prune;
 use crate::vulkan::{Device, Pipeline, PipelineDescription, Probe};
@@ -78,13 +78,23 @@ pub fn probe(device: &Arc<Device>) -> Result<Probe> {
 /// module, so that tests can run broken ones.
 ///
 /// # Errors
-/// [`Error::Shader`] for words that cannot be read as a module, and those of the device.
+/// [`Error::Shader`] for words that cannot be read as a module, and of 64-bit integers where the
+/// device was not opened with them; those of the device.
 pub fn pipeline(
     device: &Arc<Device>,
     kernel: &Kernel,
     words: &[u32],
     specialization: &[(u32, u32)],
 ) -> Result<Pipeline> {
+    if kernel.profile == Profile::Wide && !device.has_int64() {
+        return Err(Error::Shader {
+            shader: kernel.name.to_owned(),
+            problem: format!(
+                "it needs integers of 64 bits, with which device {} was not opened",
+                device.info().name
+            ),
+        });
+    }
     let pruned = prune(words, specialization).map_err(|error| Error::Shader {
         shader: kernel.name.to_owned(),
         problem: error.to_string(),

@@ -5,7 +5,7 @@ use super::{groups, spirv};
 use crate::Result;
 use crate::catalog::{Output, Profile, Request};
 use crate::interface::WorkPush;
-use crate::variant::{FusedMap, Plan, Work, general, plan};
+use crate::variant::{FusedMap, LONGEST_RUN, Plan, Work, general, plan};
 use crate::vulkan::{Access, Buffer, BufferSlice, Device, DeviceKind, Recording, Timing};
 use std::sync::Arc;
 
@@ -45,7 +45,12 @@ impl Points {
         let wanted = (request.count * point_bytes).next_multiple_of(unit);
         let bytes = wanted.min(most.max(unit));
         let even = plan.tiles.iter().all(|tile| *tile == plan.tile);
-        let spare = if even { 0 } else { unit };
+        let spare = match plan.aligned {
+            // For the kernel of points that begin elsewhere.
+            2.. => u64::from(LONGEST_RUN) * point_bytes,
+            _ if even => 0,
+            _ => unit,
+        };
         let results = Buffer::new(device, bytes + spare, access)?;
         Ok(Self {
             request: request.clone(),
@@ -145,7 +150,11 @@ impl Points {
         }
         let row = 4 * self.width();
         // Fewer than a tile are left, and invocations end within the next.
-        let bytes = 2 * self.tile() * row;
+        let tile = match self.way.plan.aligned {
+            2.. => u64::from(LONGEST_RUN),
+            _ => self.tile(),
+        };
+        let bytes = 2 * tile * row;
         let tail = tail(&mut self.tail, &self.device, bytes)?;
         for (pipeline, unit) in way.parts() {
             let call = self.call(&way, start + whole, self.invocations(left, unit));
@@ -157,8 +166,8 @@ impl Points {
         )
     }
 
-    /// How to make points from `start` on. Where the kernel does not allow that index, by one of
-    /// shorter tiles, which end wherever its own do.
+    /// How to make points from `start` on: where the kernel does not allow that index, by that of
+    /// devices without 64-bit integers.
     fn way(&mut self, start: u64) -> Result<Arc<Way>> {
         let first = self.request.first + start;
         if first.is_multiple_of(self.way.plan.aligned.into()) {
@@ -168,7 +177,7 @@ impl Points {
             return Ok(Arc::clone(way));
         }
         let plan = plan(&Work {
-            cpu: false,
+            int64: false,
             ..work(&self.device, &self.request)
         });
         let words = module(&plan)?;
@@ -233,13 +242,27 @@ pub(super) fn table(device: &Arc<Device>, words: &[u32]) -> Result<Buffer> {
 }
 
 /// The kernel for a request on a device.
-pub(super) fn choose(device: &Device, request: &Request, always_general: bool) -> Plan {
+pub(super) fn choose(device: &Device, request: &Request, choice: Choice) -> Plan {
     let work = work(device, request);
-    if always_general && work.map.is_none() {
-        general(&work)
-    } else {
-        plan(&work)
+    match choice {
+        Choice::General if work.map.is_none() => general(&work),
+        Choice::WithoutInt64 => plan(&Work {
+            int64: false,
+            ..work
+        }),
+        _ => plan(&work),
     }
+}
+
+/// Which kernel makes the points.
+#[derive(Clone, Copy)]
+pub(super) enum Choice {
+    /// The fastest.
+    Usual,
+    /// The general one, if there is no map.
+    General,
+    /// The fastest of those that need no 64-bit integers.
+    WithoutInt64,
 }
 
 /// A request on a device in plain words.

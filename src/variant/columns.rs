@@ -106,6 +106,9 @@ pub(super) fn padded(mut words: Vec<u32>) -> Vec<u32> {
     words
 }
 
+/// Points that an invocation makes in a row at most.
+pub const LONGEST_RUN: u32 = 240;
+
 /// Points that an invocation may make in a row, a multiple of 8: as many as the column's
 /// odometer allows, just below 3^5, 5^3 or 7^2; and so few of the costly kinds that the loops of four
 /// columns stay below the 65,535 iterations after which llvmpipe ends an invocation.
@@ -114,7 +117,7 @@ pub fn longest_run(column: &Column) -> u32 {
     match column {
         // Without one 16 points cost the same in any length.
         Column::Radical(prime) => {
-            longest_odometer(*prime).map_or(16, |power| (power / 8 * 8).clamp(16, 240))
+            longest_odometer(*prime).map_or(16, |power| (power / 8 * 8).clamp(16, LONGEST_RUN))
         }
         // 50 rounds of Philox a value, 64 steps, or 32 steps of long division.
         Column::Sobol {
@@ -132,7 +135,7 @@ pub fn longest_run(column: &Column) -> u32 {
         | Column::LatinHypercube { .. }
         | Column::MultiJittered { .. }
         | Column::Digits { .. } => 16,
-        _ => 240,
+        _ => LONGEST_RUN,
     }
 }
 

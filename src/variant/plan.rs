@@ -44,7 +44,7 @@ pub struct Plan {
     /// The module.
     pub kernel: &'static Kernel,
     /// Values of its specialization constants, for each dispatch that the points take:
-    /// one, or one per four columns.
+    /// one, or one per part of a wide row.
     pub specializations: Vec<Vec<(u32, u32)>>,
     /// The table of columns, for kernels that read one.
     pub table: Option<Vec<u32>>,
@@ -53,8 +53,7 @@ pub struct Plan {
     pub tile: u32,
     /// The index of the first point must be a multiple of this.
     pub aligned: u32,
-    /// Points of an invocation in each dispatch, where one takes four columns of many; else
-    /// empty.
+    /// Points of an invocation in each dispatch; empty for kernels that read a table of columns.
     pub tiles: Vec<u32>,
 }
 

@@ -1,4 +1,4 @@
-//! Kernels without loops that store eight words at a time.
+//! Kernels without loops over points that store eight words at a time.
 
 use super::columns::column_words;
 use super::plan::{Plan, Work, family, kernel, kinds};

@@ -1,10 +1,10 @@
-//! Kernels without loops, which large requests get where the device has integers of 64 bits: the
+//! Kernels without loops over points, which large requests get where the device has integers of 64 bits: the
 //! words of the reference, from any point on, and nothing beside them.
 
 mod support;
 
 use corput::bulk::Reference;
-use corput::catalog::{Options, Request, Scramble, Sequence};
+use corput::catalog::{Map, Mapping, Options, Request, Scramble, Sequence};
 use corput::kernels::Generator;
 use corput::vulkan::{Access, Buffer, Device, DeviceKind};
 use std::sync::Arc;
@@ -44,7 +44,11 @@ fn compare(device: &Arc<Device>, options: &Options) {
     let mut generator = Generator::new(device, &request).expect("a generator");
     let wide = generator.kernel_name().starts_with("generate_wide");
     let suits = device.info().kind == DeviceKind::Cpu && device.has_int64();
-    let aligned = request.first.is_multiple_of(32);
+    let steps = !matches!(
+        options.sequence,
+        Sequence::Random | Sequence::RandomFast | Sequence::R2
+    );
+    let aligned = !steps || request.first.is_multiple_of(32);
     assert_eq!(
         wide,
         suits && aligned,
@@ -94,8 +98,6 @@ fn fractions_gray_order_and_other_ends_of_the_indices_too() {
     });
 }
 
-/// A slice of a buffer is filled to its last word and no further, from an aligned point and
-/// from one that is not.
 /// Permuted digits come from tables.
 #[test]
 fn permuted_points_are_the_reference_s() {
@@ -128,39 +130,78 @@ fn permuted_points_are_the_reference_s() {
     });
 }
 
+/// Random numbers and recurrences begin at any index, and end at the last.
+#[test]
+fn kernels_without_an_alignment_begin_anywhere() {
+    support::on_each_device(|device| {
+        for sequence in [Sequence::Random, Sequence::R2] {
+            let mut options = options(sequence, None, 3);
+            for first in [7, (1 << 32) - options.count] {
+                options.first = first;
+                compare(device, &options);
+            }
+        }
+    });
+}
+
+/// A map that has a kernel of its own takes the points from them.
+#[test]
+fn maps_take_their_points() {
+    support::on_each_device(|device| {
+        let mut options = Options::new(Sequence::Sobol, WORDS / 2);
+        let triangle = Map::from_name("triangle").expect("a map");
+        options.dimensions = Some(triangle.dimensions.into());
+        options.map = Some(Mapping::new(triangle, &[]).expect("its parameters"));
+        let request = Request::new(&options).expect("a request");
+        let mut generator = Generator::new(device, &request).expect("a generator");
+        for (start, points) in [(0, 4096), (64, 1000), (5, 1001)] {
+            generator.dispatch(start, points).expect("samples");
+            let wanted = expected(&request, start, points);
+            let same = generator.read(points, |words| words == wanted);
+            assert!(same.expect("words"), "from {start} on");
+        }
+    });
+}
+
+/// A slice of a buffer is filled to its last word and no further, from an aligned point and
+/// from one that is not.
 #[test]
 fn recorded_points_stay_in_their_slice() {
     support::on_each_device(|device| {
-        let request = Request::new(&options(Sequence::Sobol, None, 2)).expect("a request");
-        let mut generator = Generator::new(device, &request).expect("a generator");
-        for (start, points) in [(0u64, 2000u64), (48, 33), (3, 2000), (16, 15)] {
-            let (bytes, offset) = (8 * points, 256);
-            let all = bytes + 2 * offset;
-            let mut buffer = Buffer::new(device, all, Access::Readback).expect("a buffer");
-            buffer.write(0, &vec![0xab; all as usize]).expect("marks");
-            let slice = buffer.slice(offset, bytes).expect("a slice");
-            let mut work = generator
-                .submit(start, points, &slice)
-                .expect("a submission");
-            work.wait().expect("its end");
-            drop((work, slice));
-            let words = expected(&request, start, points);
-            let marks = |bytes: &[u8]| bytes.iter().all(|byte| *byte == 0xab);
-            buffer
-                .read(0, all, |found| {
-                    let (before, rest) = found.split_at(offset as usize);
-                    let (made, after) = rest.split_at(bytes as usize);
-                    assert!(marks(before) && marks(after), "{points} from {start} on");
-                    assert_eq!(
-                        made,
-                        words
-                            .iter()
-                            .flat_map(|word| word.to_ne_bytes())
-                            .collect::<Vec<u8>>(),
-                        "{points} from {start} on"
-                    );
-                })
-                .expect("a look");
+        let least = device.info().limits.storage_offset_alignment.max(4);
+        for dimensions in [2, 3, 16, 32] {
+            let request = Request::new(&options(Sequence::Sobol, None, dimensions));
+            let request = request.expect("a request");
+            let mut generator = Generator::new(device, &request).expect("a generator");
+            for (start, points) in [(0u64, 2000u64), (48, 33), (3, 2000), (16, 15)] {
+                let (bytes, offset) = (4 * dimensions * points, 3 * least);
+                let all = bytes + 2 * offset;
+                let mut buffer = Buffer::new(device, all, Access::Readback).expect("a buffer");
+                buffer.write(0, &vec![0xab; all as usize]).expect("marks");
+                let slice = buffer.slice(offset, bytes).expect("a slice");
+                let mut work = generator
+                    .submit(start, points, &slice)
+                    .expect("a submission");
+                work.wait().expect("its end");
+                drop((work, slice));
+                let words = expected(&request, start, points);
+                let marks = |bytes: &[u8]| bytes.iter().all(|byte| *byte == 0xab);
+                buffer
+                    .read(0, all, |found| {
+                        let (before, rest) = found.split_at(offset as usize);
+                        let (made, after) = rest.split_at(bytes as usize);
+                        assert!(marks(before) && marks(after), "{points} from {start} on");
+                        assert_eq!(
+                            made,
+                            words
+                                .iter()
+                                .flat_map(|word| word.to_ne_bytes())
+                                .collect::<Vec<u8>>(),
+                            "{points} from {start} on"
+                        );
+                    })
+                    .expect("a look");
+            }
         }
     });
 }

@@ -100,8 +100,7 @@ impl Generator {
             remedy: remedy.into(),
         };
         if count > self.limit {
-            let limit = format!("{} are made at a time", self.limit);
-            return Err(refused(limit, "ask several times"));
+            return Err(self.too_many(count));
         }
         if target.bytes() < count * row {
             let limit = format!("the buffer's slice has {} bytes", target.bytes());

@@ -9,7 +9,7 @@ use corput::catalog::{
     examples,
 };
 use corput::check::{self, Case, NATIVE, Row, arguments};
-use corput::interface::{Column, Kernel};
+use corput::interface::{Column, Kernel, Profile as KernelProfile};
 use corput::kernels::{
     Estimator, Evaluator, Generator, Mapper, Pairs, Reducer, VoidAndCluster, kernel,
 };
@@ -167,6 +167,11 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
         }
     };
     Outcome::Ran(Box::new(ran.unwrap_or_else(|error| panic!("{error}"))))
+}
+
+/// Whether the device has no kernel of this kind.
+pub fn is_missing(device: &Device, target: Target) -> bool {
+    matches!(target, Target::Wide(_)) && row(device, target).profile != KernelProfile::Wide
 }
 
 /// The row of the kernel that a target runs.
