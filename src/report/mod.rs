@@ -41,7 +41,9 @@ mod text;
 mod whole;
 pub mod zarr;
 
-pub use chunked::{Chunk, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows};
+pub use chunked::{
+    Chunk, Extent, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows,
+};
 pub use compare::Comparison;
 pub use element::Element;
 pub use encode::{NPY_DATA_OFFSET, npy_array, npy_header};

@@ -7,12 +7,15 @@
 //! describes wrongly.
 
 mod allocate;
+mod extent;
 mod file;
 mod journal;
 mod pipeline;
 mod recover;
 mod sidecar;
+mod written;
 
+pub use extent::Extent;
 pub use sidecar::{Origin, SIDECAR_SCHEMA, Sidecar};
 
 pub(super) use file::Chunked;
