@@ -11,7 +11,8 @@ const VARIABLE: &str = "CORPUT_WINDOWS";
 /// What the variable says of windows of the file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Wish {
-    /// Where they can be had.
+    /// Where they can be had: on disks they save time, though in memory (tmpfs) pages cost more to
+    /// map than words to copy.
     Any,
     /// Never: what the device makes is copied to the file.
     Off,
