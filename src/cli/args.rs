@@ -37,7 +37,8 @@ const EXIT_CODES: &str = "To begin with:
 Exit codes: 0 done; 1 a check failed; 2 refused before work began; \
 3 no device present, or none adequate; 4 failed while running.\n\
 Environment: CORPUT_DEVICE chooses the device as --device does; CORPUT_VALIDATION=1 runs with \
-the Khronos validation layer, whose messages then fail the command.";
+the Khronos validation layer, whose messages then fail the command; CORPUT_WINDOWS=off has \
+generate copy what a device makes, and =require has it fail where the device cannot write to the file.";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {

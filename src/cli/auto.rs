@@ -37,7 +37,7 @@ pub fn choose(request: &Request) -> Result<host::Chosen> {
         Ok(both) => both,
         Err(error) => {
             eprintln!("corput: --device auto takes cpu: {error}");
-            return Ok((Box::new(reference), None));
+            return Ok((host::Source::Host(Box::new(reference)), None));
         }
     };
     let name = &device.info().name;
@@ -46,7 +46,7 @@ pub fn choose(request: &Request) -> Result<host::Chosen> {
         Ok(rate) => rate,
         Err(error) => {
             eprintln!("corput: --device auto takes cpu: {name}: {error}");
-            return Ok((Box::new(reference), None));
+            return Ok((host::Source::Host(Box::new(reference)), None));
         }
     };
     let on_cpu = cpu >= there;
@@ -55,9 +55,9 @@ pub fn choose(request: &Request) -> Result<host::Chosen> {
     eprintln!("corput: --device auto takes {taken}: cpu {cpu}, {name} {there}");
     if on_cpu {
         host::validated(device.instance())?;
-        return Ok((Box::new(reference), None));
+        return Ok((host::Source::Host(Box::new(reference)), None));
     }
-    Ok((Box::new(generator), Some(device)))
+    Ok((host::Source::Device(Box::new(generator)), Some(device)))
 }
 
 fn on_device(request: &Request) -> Result<(Generator, Arc<Device>)> {

@@ -2,7 +2,7 @@
 
 use super::args::GenerateArgs;
 use super::arguments::origin;
-use super::{guide, host, interrupt, maps, mask, points, progress, store};
+use super::{guide, host, interrupt, maps, mask, points, progress, store, windows};
 use corput::catalog::{Engine, Options, Order, Output, Profile, Request, Scramble, Sequence};
 use corput::report::{Element, Format, Keeping, Layout, Origin, Sink, Target};
 use corput::vulkan::Device;
@@ -30,7 +30,7 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     interrupt::clean_up();
     let origin = origin(args, Some(request.scramble), maker.device.as_ref())?;
     if let Some(sink) = open(args, &target, format, layout, origin)? {
-        stream(maker.engine.as_mut(), layout, sink)?;
+        stream(&mut maker.engine, layout, sink)?;
     }
     Ok(maker.validated()?)
 }
@@ -82,7 +82,7 @@ pub fn layout(request: &Request, element: Element) -> Layout {
 
 /// What makes points, and the device that it runs on.
 pub struct Maker {
-    pub engine: Box<dyn Engine>,
+    pub engine: host::Source,
     /// None for the CPU.
     pub device: Option<Arc<Device>>,
 }
@@ -193,13 +193,17 @@ pub fn scramble(sequence: Sequence, name: &str) -> Result<Scramble> {
     })
 }
 
-/// Piece after piece from the engine to the file.
-pub fn stream(engine: &mut dyn Engine, layout: Layout, mut sink: Sink) -> Result<()> {
+/// All points into the file: by windows of it as far as that goes, and piece after piece.
+pub fn stream(source: &mut host::Source, layout: Layout, mut sink: Sink) -> Result<()> {
     let bar = progress::points(layout.rows);
     // What is there already counts for no rate.
     bar.set_position(sink.rows());
     bar.reset_eta();
-    match produce(engine, layout, &mut sink, &bar) {
+    let by_windows = match source {
+        host::Source::Device(generator) => windows::fill(generator, &mut sink, &bar),
+        host::Source::Host(_) => Ok(()),
+    };
+    match by_windows.and_then(|()| produce(source.as_mut(), layout, &mut sink, &bar)) {
         Ok(()) => sink.finish()?,
         Err(cause) => return Err(sink.abandon(cause)),
     };

@@ -34,21 +34,39 @@ fn is_auto(asked: Option<&str>) -> bool {
     asked.is_some_and(|name| name.eq_ignore_ascii_case("auto"))
 }
 
+/// What makes points.
+pub enum Source {
+    /// The CPU, or whoever has them already.
+    Host(Box<dyn Engine>),
+    Device(Box<Generator>),
+}
+
+impl Source {
+    /// As any other.
+    pub fn as_mut(&mut self) -> &mut dyn Engine {
+        match self {
+            Self::Host(engine) => engine.as_mut(),
+            Self::Device(generator) => generator.as_mut(),
+        }
+    }
+}
+
 /// What makes points, and the device that it runs on; none on the CPU.
-pub type Chosen = (Box<dyn Engine>, Option<Arc<Device>>);
+pub type Chosen = (Source, Option<Arc<Device>>);
 
 /// The engine for a request.
 pub fn engine(argument: Option<&str>, request: &Request) -> Result<Chosen> {
     let asked = asked(argument);
     if is_cpu(asked.as_deref()) {
-        return Ok((Box::new(Reference::new(request)), None));
+        let reference = Box::new(Reference::new(request));
+        return Ok((Source::Host(reference), None));
     }
     if is_auto(asked.as_deref()) {
         return auto::choose(request);
     }
     let device = open(argument)?;
     let generator = Generator::new(&device, request)?;
-    Ok((Box::new(generator), Some(device)))
+    Ok((Source::Device(Box::new(generator)), Some(device)))
 }
 
 /// Opens the chosen device.

@@ -33,6 +33,7 @@ mod store;
 mod strip;
 mod vectors;
 mod verify;
+mod windows;
 
 use args::{Cli, Command};
 use clap::Parser;

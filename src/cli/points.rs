@@ -30,7 +30,7 @@ pub fn run(args: &GenerateArgs) -> anyhow::Result<()> {
     interrupt::clean_up();
     if let Some(sink) = open(args, &target, format, layout, origin(args, None, None)?)? {
         place(args, &mut stored, layout)?;
-        stream(&mut stored, layout, sink)?;
+        stream(&mut host::Source::Host(Box::new(stored)), layout, sink)?;
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use super::args::{GenerateArgs, VerifyArgs};
 use super::arguments::Places;
 use super::generate::Maker;
-use super::{arguments, generate, mask, points, print, progress};
+use super::{arguments, generate, host, mask, points, print, progress};
 use corput::catalog::{Engine, Profile};
 use corput::report::{Comparison, Layout, Origin, Sidecar, Whole, zarr};
 use corput::{Error, Result};
@@ -162,7 +162,7 @@ fn maker(made: &GenerateArgs, device: Option<&str>) -> Result<(Maker, Layout)> {
         let (mut stored, layout) = points::prepare(made)?;
         points::place(made, &mut stored, layout)?;
         let maker = Maker {
-            engine: Box::new(stored),
+            engine: host::Source::Host(Box::new(stored)),
             device: None,
         };
         return Ok((maker, layout));

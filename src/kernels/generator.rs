@@ -1,5 +1,7 @@
 //! Points, or samples of a map over them, chunk by chunk.
 
+mod file;
+mod place;
 mod record;
 
 use super::Mapper;
@@ -20,7 +22,8 @@ const TARGET_NS: f64 = 1e8;
 
 /// Makes the points of a request on a device: into memory of the host by
 /// [`fill`](Engine::fill), [`make`](Engine::make) or
-/// [`Chunks`](crate::catalog::Chunks), and into buffers by [`Self::submit`] and [`Self::record`].
+/// [`Chunks`](crate::catalog::Chunks), and into buffers by [`Self::submit`], [`Self::record`] and,
+/// as many as one likes, [`Self::place`]; into a file by [`Self::write_windows`].
 pub struct Generator {
     width: u64,
     count: u64,
@@ -130,6 +133,12 @@ impl Generator {
             limit,
             chunk: first.min(limit),
         }
+    }
+
+    /// The device.
+    #[must_use]
+    pub fn device(&self) -> &Arc<Device> {
+        self.points.device()
     }
 
     /// The kernel that makes the points.

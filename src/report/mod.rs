@@ -47,7 +47,9 @@ pub mod zarr;
 
 #[cfg(any(feature = "gpu", feature = "scenes"))]
 pub(crate) use bounded::{bytes as bounded_bytes, text as bounded_text};
-pub use chunked::{Chunk, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows};
+pub use chunked::{
+    Chunk, Extent, Keeping, MAX_CHUNKS, Origin, SIDECAR_SCHEMA, Sidecar, chunk_rows,
+};
 pub use compare::Comparison;
 #[cfg(feature = "gpu")]
 pub(crate) use difference::{Difference, differences};

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use super::chunked::{self, Chunked, Keeping, Origin};
+use super::chunked::{self, Chunked, Extent, Keeping, Origin};
 use super::encode::Encoder;
 use super::place::{Existing, Place, Target, existing, failed};
 use super::stream::Stream;
@@ -23,7 +23,8 @@ pub struct Summary {
 /// Takes the data of one array, chunk by chunk, and makes the file of it.
 ///
 /// A regular file gets a [`Sidecar`](super::Sidecar) beside it. It is written, synced and
-/// hashed by two threads of its own, over four buffers of 16 MiB. Dropped without
+/// hashed by two threads of its own, over four buffers of 16 MiB; or written by a device, in
+/// place ([`Sink::extent`]), and hashed by them. Dropped without
 /// [`Sink::finish`], it removes what it wrote, or keeps it as [`Sink::keeping`] says.
 pub struct Sink {
     out: Out,
@@ -147,6 +148,12 @@ impl Sink {
         }
     }
 
+    /// Shape and type of the array.
+    #[must_use]
+    pub fn layout(&self) -> Layout {
+        self.encoder.layout
+    }
+
     /// Rows taken so far, those of an earlier run among them.
     #[must_use]
     pub fn rows(&self) -> u64 {
@@ -184,6 +191,51 @@ impl Sink {
             Out::Stream(stream) => stream.write(&self.encoder, self.taken, words, &self.path)?,
         }
         self.taken = taken;
+        self.broken = false;
+        Ok(())
+    }
+
+    /// Space on the disk for the rows from `row` on, up to the end of their chunk or 16 MiB, for
+    /// somebody who writes the words there: as 4 bytes each, little-endian. None where the file's
+    /// bytes are others, where chunks are short or no whole pages, of a stream, and where
+    /// system or file system cannot reserve space. [`Self::take`] takes the words then. An extent
+    /// may be had before those before it are taken.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Io`] if the disk is full. The sink can still be written to, as far as there is space.
+    pub fn extent(&self, row: u64) -> Result<Option<Extent>> {
+        match &self.out {
+            Out::File(file) if row >= self.rows() => file.extent(row),
+            _ => Ok(None),
+        }
+    }
+
+    /// Takes the words of the next rows, which stand in an [extent](Self::extent) now and whose
+    /// writer has let go of it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Sink::write`]; [`Error::Arguments`] also if the extent is of another file, or of rows
+    /// that are not the next.
+    pub fn take(&mut self, extent: Extent) -> Result<()> {
+        self.still_whole()?;
+        self.broken = true;
+        let columns = u64::from(self.encoder.layout.columns);
+        let rows = extent.rows();
+        match &mut self.out {
+            Out::File(file) if file.is_own(&extent) && rows.start * columns == self.taken => {
+                file.take(&extent)?;
+            }
+            _ => {
+                return Err(Error::Arguments {
+                    asked: format!("rows {rows:?} of {}", self.path.display()),
+                    limit: format!("row {} of that file is the next", self.rows()),
+                    remedy: "take extents of one sink in the order of their rows".into(),
+                });
+            }
+        }
+        self.taken = rows.end * columns;
         self.broken = false;
         Ok(())
     }

@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
 use super::baseline::{check_baseline, inadequate};
+use super::import::Import;
 use super::info::DeviceInfo;
 use super::instance::Instance;
 use super::kept::Kept;
@@ -29,6 +30,8 @@ pub struct Device {
     family: u32,
     pub(super) memory: vk::PhysicalDeviceMemoryProperties,
     pub(super) non_coherent_atom: u64,
+    /// How memory of the host becomes that of a buffer, where it can.
+    pub(super) import: Option<Import>,
     pub(super) lane: Mutex<Lane>,
     /// Held while something is handed to the queue, and no longer.
     pub(super) handing_over: Mutex<()>,
@@ -50,7 +53,9 @@ pub struct Device {
 
 impl Device {
     /// Opens a device that [`Instance::devices`] listed, of the optional features with 64-bit
-    /// integers alone, where it has them.
+    /// integers alone, and with `VK_EXT_external_memory_host`, for [`FileWindow`], where it has them.
+    ///
+    /// [`FileWindow`]: super::FileWindow
     ///
     /// # Errors
     /// [`Error::InadequateDevice`] when it lacks a compute queue or the baseline,
@@ -73,6 +78,9 @@ impl Device {
             .any(|e| e.extension_name_as_c_str() == Ok(subset))
         {
             extensions.push(subset.as_ptr());
+        }
+        if info.features.external_memory_host {
+            extensions.push(ash::ext::external_memory_host::NAME.as_ptr());
         }
         let queues = [vk::DeviceQueueCreateInfo::default()
             .queue_family_index(family)
@@ -102,7 +110,8 @@ impl Device {
     }
 
     /// Wraps a device that the caller owns. Dropping the wrapper destroys what
-    /// the wrapper made, and neither the device nor the instance.
+    /// the wrapper made, and neither the device nor the instance. Whichever extensions it has,
+    /// none is used.
     ///
     /// # Errors
     /// As for [`Device::open`], and [`Error::Arguments`] for a family that the device
@@ -171,8 +180,12 @@ impl Device {
                 instance.raw().get_physical_device_properties(physical),
             )
         };
+        // Only here is it known to be enabled.
+        let import = (owned && info.features.external_memory_host)
+            .then(|| Import::of(instance.raw(), &raw, physical));
         let device = Self {
             raw,
+            import,
             physical,
             queue,
             family,
@@ -283,8 +296,9 @@ impl Drop for Device {
         let _ = self.settle();
         if self.is_hung() {
             // Work may still be running; destroying what it uses would be
-            // undefined behaviour, so it is left to the end of the process.
+            // undefined behaviour, so it is left to the end of the process. So are mappings.
             std::mem::forget(Arc::clone(&self.instance));
+            std::mem::forget(std::mem::take(&mut self.orphans));
             return;
         }
         self.destroy_orphans();

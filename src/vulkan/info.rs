@@ -57,7 +57,7 @@ pub struct DeviceInfo {
     pub driver_uuid: String,
     /// What it can take.
     pub limits: Limits,
-    /// Optional features that are present.
+    /// Optional features that are present, none of which is needed.
     pub features: Features,
     /// What it promises about 32-bit float arithmetic.
     pub float_controls: FloatControls,
@@ -92,7 +92,8 @@ pub struct Limits {
     pub memory_bytes: u64,
 }
 
-/// Optional features. Nothing here is ever required; 64-bit integers are used where they are.
+/// Optional features: nothing here is ever required. 64-bit integers and the last are used where
+/// they are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Features {
     /// `double` in shaders.
@@ -103,7 +104,8 @@ pub struct Features {
     pub int16: bool,
     /// Half floats in shaders.
     pub float16: bool,
-    /// `VK_EXT_external_memory_host`: host memory can be a storage buffer.
+    /// `VK_EXT_external_memory_host`: host memory can be a storage buffer, as a
+    /// [`FileWindow`](super::FileWindow) is.
     pub external_memory_host: bool,
 }
 

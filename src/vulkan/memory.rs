@@ -1,4 +1,4 @@
-//! One buffer with memory of its own, mapped where the host can see it.
+//! One buffer with memory of its own, mapped where the host can see it, or of a file.
 
 use ash::vk;
 use std::ptr::NonNull;
@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::device::Device;
 use super::info::DeviceKind;
+use super::mapping::Mapping;
 use super::orphan::Orphan;
 use super::{failed, refused};
 use crate::error::Result;
@@ -29,11 +30,13 @@ pub(super) enum Purpose {
 pub(super) struct Block {
     device: Arc<Device>,
     pub(super) raw: vk::Buffer,
-    memory: vk::DeviceMemory,
+    pub(super) memory: vk::DeviceMemory,
     bytes: u64,
     allocated: u64,
     map: Option<NonNull<u8>>,
     coherent: bool,
+    /// The part of a file that is its memory; none where it has its own.
+    pub(super) backing: Option<Mapping>,
 }
 
 // SAFETY: the mapping is plain memory that belongs to this block alone; shared
@@ -43,9 +46,9 @@ unsafe impl Send for Block {}
 unsafe impl Sync for Block {}
 
 impl Block {
-    /// Makes a buffer of at least `bytes`, with contents unspecified.
-    pub(super) fn new(device: &Arc<Device>, bytes: u64, purpose: Purpose) -> Result<Self> {
-        let mut block = Self {
+    /// Neither a buffer nor memory yet: what is put in is destroyed with it.
+    pub(super) fn empty(device: &Arc<Device>, bytes: u64) -> Self {
+        Self {
             device: Arc::clone(device),
             raw: vk::Buffer::null(),
             memory: vk::DeviceMemory::null(),
@@ -53,7 +56,13 @@ impl Block {
             allocated: 0,
             map: None,
             coherent: true,
-        };
+            backing: None,
+        }
+    }
+
+    /// Makes a buffer of at least `bytes`, with contents unspecified.
+    pub(super) fn new(device: &Arc<Device>, bytes: u64, purpose: Purpose) -> Result<Self> {
+        let mut block = Self::empty(device, bytes);
         let raw = device.raw();
         let mut usage = vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
         if purpose != Purpose::Staging {
@@ -189,7 +198,9 @@ impl Block {
 
 impl Drop for Block {
     fn drop(&mut self) {
-        self.device.discard(Orphan::Block(self.raw, self.memory));
+        let backing = self.backing.take();
+        self.device
+            .discard(Orphan::Block(self.raw, self.memory, backing));
     }
 }
 

@@ -45,6 +45,7 @@
 //! | no `int64` | kernels that store 16 bytes at a time in place of 32, with the same words; no other feature is ever enabled |
 //! | no `float64`, no subgroup operations | nothing: the stock kernels use none |
 //! | no timestamps, or a clock that cannot be read | [`Timing::device_ns`] is `None`; the results are the same |
+//! | no `VK_EXT_external_memory_host`, a file or a file system that cannot be mapped, memory that the driver does not import | an error of [`FileWindow::new`], after which a [`Buffer`] does the same |
 //! | a buffer of more bytes than can be bound or allocated at once | [`Error::Arguments`] |
 //! | memory of the host or of the device runs out, a mapping fails | [`Error::Vulkan`] with the call; what was half made is destroyed, and all else can be used again |
 //! | a module or a pipeline that the driver refuses | [`Error::Vulkan`] with the call; nothing of it is kept |
@@ -62,9 +63,12 @@ mod buffer;
 mod descriptor;
 mod device;
 mod dispatch;
+mod file_window;
+mod import;
 mod info;
 mod instance;
 mod kept;
+mod mapping;
 mod memory;
 mod orphan;
 mod pipeline;
@@ -83,6 +87,7 @@ pub use buffer::{Access, Buffer};
 pub use descriptor::DescriptorSet;
 pub use device::Device;
 pub use dispatch::{Dispatch, Timing, barrier, record};
+pub use file_window::FileWindow;
 pub use info::{DeviceInfo, DeviceKind, Features, FloatControls, Limits};
 pub use instance::{Instance, InstanceOptions};
 pub use pipeline::{Pipeline, PipelineDescription};

@@ -5,11 +5,12 @@ use std::sync::PoisonError;
 
 use super::device::Device;
 use super::kept::Compiled;
+use super::mapping::Mapping;
 
 /// What is destroyed once nothing that was submitted uses it any more; null handles where
 /// nothing was made.
 pub(super) enum Orphan {
-    Block(vk::Buffer, vk::DeviceMemory),
+    Block(vk::Buffer, vk::DeviceMemory, Option<Mapping>),
     Pipeline(Compiled),
     Descriptors(vk::DescriptorPool),
 }
@@ -20,9 +21,11 @@ impl Orphan {
         // handles are allowed. Freeing memory unmaps it, destroying a pool frees its sets.
         unsafe {
             match self {
-                Self::Block(buffer, memory) => {
+                Self::Block(buffer, memory, backing) => {
                     device.destroy_buffer(buffer, None);
                     device.free_memory(memory, None);
+                    // Nothing of the device leads there any more.
+                    drop(backing);
                 }
                 Self::Pipeline(compiled) => compiled.destroy(device),
                 Self::Descriptors(pool) => device.destroy_descriptor_pool(pool, None),

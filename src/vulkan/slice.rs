@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::buffer::Buffer;
 use super::device::Device;
+use super::file_window::FileWindow;
 use super::memory::Block;
 use super::refused;
 use crate::error::Result;
@@ -114,6 +115,22 @@ impl Buffer {
             offset: 0,
             bytes: self.bytes(),
             _memory: Some(self.memory()),
+        }
+    }
+}
+
+impl FileWindow {
+    /// All of it, for work that is recorded or submitted. What is made of the slice keeps the
+    /// file mapped.
+    #[must_use]
+    pub fn slice(&self) -> BufferSlice {
+        let main = self.memory();
+        BufferSlice {
+            device: Arc::clone(self.device()),
+            raw: main.raw,
+            offset: 0,
+            bytes: self.bytes(),
+            _memory: Some(main),
         }
     }
 }

@@ -3,6 +3,9 @@
 
 #[path = "report/bytes.rs"]
 mod bytes;
+#[cfg(all(target_os = "linux", feature = "gpu"))]
+#[path = "report/extents.rs"]
+mod extents;
 #[path = "report/failure.rs"]
 mod failure;
 #[path = "json_schema.rs"]

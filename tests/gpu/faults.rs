@@ -30,6 +30,9 @@ mod plan;
 mod submission;
 #[path = "faults/timeout.rs"]
 mod timeout;
+#[cfg(target_os = "linux")]
+#[path = "faults/windows.rs"]
+mod windows;
 #[path = "faults/work.rs"]
 mod work;
 

@@ -18,6 +18,9 @@ mod recorded;
 mod support;
 #[path = "files/verify.rs"]
 mod verify;
+#[cfg(target_os = "linux")]
+#[path = "files/windows.rs"]
+mod windows;
 
 use desk::{Desk, Run};
 use std::fs;
@@ -35,6 +38,11 @@ impl Desk {
     fn start(&self, line: &str, chunks: usize) -> Running {
         let mut command = self.command(line);
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        self.follow(command, line, chunks)
+    }
+
+    /// The same of a command that was made ready.
+    fn follow(&self, mut command: Command, line: &str, chunks: usize) -> Running {
         let mut running = Running(command.spawn().unwrap());
         let start = Instant::now();
         while self.chunks() < chunks {

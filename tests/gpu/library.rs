@@ -8,6 +8,10 @@ mod buffers;
 #[path = "library/flight.rs"]
 mod flight;
 
+#[cfg(target_os = "linux")]
+#[path = "library/windows.rs"]
+mod windows;
+
 use corput::Error;
 use corput::bulk::Reference;
 use corput::catalog::{Chunks, Engine, Map, Mapping, Options, Request, Scramble, Sequence};

@@ -8,7 +8,7 @@ use crate::{Error, Result};
 
 /// Points at a time of which the last are mapped aside: so many rows of input end where every
 /// device can bind the next.
-const ASIDE: u64 = 64;
+pub(super) const ASIDE: u64 = 64;
 
 impl Generator {
     /// Hands the making of up to [`Self::limit`] points to the device, `start` counted from the
@@ -94,18 +94,24 @@ impl Generator {
             });
         }
         check_points(self.count, start, count)?;
-        let refused = |limit: String, remedy: &str| Error::Arguments {
-            asked: format!("{count} points of {row} bytes"),
-            limit,
-            remedy: remedy.into(),
-        };
         if count > self.limit {
             return Err(self.too_many(count));
         }
-        if target.bytes() < count * row {
-            let limit = format!("the buffer's slice has {} bytes", target.bytes());
-            return Err(refused(limit, "give a larger one, or ask for fewer"));
-        }
-        Ok(())
+        check_room(count, row, target)
     }
+}
+
+/// That a slice is long enough for so many rows.
+pub(super) fn check_room(count: u64, row: u64, target: &BufferSlice) -> Result<()> {
+    if count
+        .checked_mul(row)
+        .is_some_and(|bytes| bytes <= target.bytes())
+    {
+        return Ok(());
+    }
+    Err(Error::Arguments {
+        asked: format!("{count} points of {row} bytes"),
+        limit: format!("the buffer's slice has {} bytes", target.bytes()),
+        remedy: "give a larger one, or ask for fewer".into(),
+    })
 }

@@ -1,5 +1,7 @@
 //! The producer's side of a file of chunks.
 
+mod extents;
+
 use super::journal::Journal;
 use super::pipeline::{Output, PIECE, Pipeline, Role, Written};
 use super::recover::recover;
@@ -11,9 +13,10 @@ use crate::report::hexadecimal;
 use crate::report::place::{cannot_create, failed, sync_folder};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
-use std::fs::{self, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Words that are encoded between looks at the size of a buffer, and room for their bytes.
 const WORDS: u64 = 1 << 14;
@@ -26,6 +29,7 @@ pub(in crate::report) struct Chunked {
     asked: PathBuf,
     real: PathBuf,
     partial: PathBuf,
+    file: Arc<File>,
     description: Value,
     device: String,
     /// Rows of a chunk, and those that an earlier run left.
@@ -93,8 +97,9 @@ impl Chunked {
         };
         file.set_len(position).map_err(failed)?;
         file.seek(SeekFrom::Start(position)).map_err(failed)?;
+        let file = Arc::new(file);
         let output = Output {
-            file,
+            file: Arc::clone(&file),
             path: partial.clone(),
             journal,
             position,
@@ -110,6 +115,7 @@ impl Chunked {
             asked: asked.to_owned(),
             real,
             partial,
+            file,
             description,
             device: origin.device,
             rows,
@@ -224,9 +230,18 @@ impl Chunked {
             ..
         } = self.written.take()?.output;
         let chunks = journal.chunks().len() as u64;
+        drop(file);
         if self.keeps && chunks > 0 && path.exists() {
-            // The rest is not to be taken up, and a full disk can use its space.
-            let _ = file.set_len(self.encoder.header().len() as u64 + journal.data());
+            if Arc::strong_count(&self.file) > 1 {
+                // A device that hangs may still write to an extent, and must not find it gone:
+                // until the process ends neither the file is shortened nor the lock given back.
+                std::mem::forget(journal);
+            } else {
+                // The rest is not to be taken up, and a full disk can use its space.
+                let _ = self
+                    .file
+                    .set_len(self.encoder.header().len() as u64 + journal.data());
+            }
             return Some(chunks * self.rows);
         }
         let _ = fs::remove_file(&path);

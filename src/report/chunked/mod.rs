@@ -7,13 +7,16 @@
 //! describes wrongly.
 
 mod allocate;
+mod extent;
 mod file;
 mod journal;
 mod pipeline;
 mod recover;
 mod sidecar;
 mod turn;
+mod written;
 
+pub use extent::Extent;
 pub use sidecar::{Origin, SIDECAR_SCHEMA, Sidecar};
 
 pub(super) use file::Chunked;

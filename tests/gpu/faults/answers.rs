@@ -4,7 +4,8 @@ use std::ffi::CStr;
 use std::mem::transmute;
 
 use corput::vulkan::ash::vk::{
-    self, Handle, PhysicalDeviceMaintenance3Properties as Maintenance3,
+    self, Handle, PhysicalDeviceExternalMemoryHostPropertiesEXT as HostMemory,
+    PhysicalDeviceMaintenance3Properties as Maintenance3,
     PhysicalDeviceSubgroupProperties as Subgroup, TaggedStructure,
 };
 
@@ -218,6 +219,10 @@ unsafe extern "system" fn properties2(
             let of = (*link).s_type;
             changed(|lie| match lie {
                 Lie::Subgroup(change) if of == Subgroup::STRUCTURE_TYPE => {
+                    change(&mut *link.cast());
+                    true
+                }
+                Lie::HostMemory(change) if of == HostMemory::STRUCTURE_TYPE => {
                     change(&mut *link.cast());
                     true
                 }

@@ -60,6 +60,9 @@ may_fail! {
     vkAllocateMemory: PFN_vkAllocateMemory =
         device: vk::Device, info: *const vk::MemoryAllocateInfo<'_>, with: Allocator<'_>,
         out: *mut vk::DeviceMemory;
+    vkGetMemoryHostPointerPropertiesEXT: PFN_vkGetMemoryHostPointerPropertiesEXT =
+        device: vk::Device, kind: vk::ExternalMemoryHandleTypeFlags, at: *const c_void,
+        out: *mut vk::MemoryHostPointerPropertiesEXT<'_>;
     vkBindBufferMemory: PFN_vkBindBufferMemory =
         device: vk::Device, buffer: vk::Buffer, memory: vk::DeviceMemory, at: vk::DeviceSize;
     vkFlushMappedMemoryRanges: PFN_vkFlushMappedMemoryRanges =

@@ -59,6 +59,7 @@ pub enum Lie {
     Features(fn(&mut vk::PhysicalDeviceFeatures)),
     Subgroup(fn(&mut vk::PhysicalDeviceSubgroupProperties<'_>)),
     Maintenance3(fn(&mut vk::PhysicalDeviceMaintenance3Properties<'_>)),
+    HostMemory(fn(&mut vk::PhysicalDeviceExternalMemoryHostPropertiesEXT<'_>)),
     Family(fn(&mut vk::QueueFamilyProperties)),
     Memory(fn(&mut vk::PhysicalDeviceMemoryProperties)),
     /// The list of devices, the so-manyth time that it is told, from 1.

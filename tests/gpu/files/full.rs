@@ -8,10 +8,10 @@ use std::process::Command;
 const LINE: &str = "generate sobol --count 1000000 --dims 4 --chunk-rows 65536 --device cpu";
 
 /// A file system of its own in the folder, where this user may mount one.
-struct Mount(PathBuf);
+pub(super) struct Mount(pub(super) PathBuf);
 
 impl Mount {
-    fn new(folder: PathBuf, options: &str) -> Option<Self> {
+    pub(super) fn new(folder: PathBuf, options: &str) -> Option<Self> {
         std::fs::create_dir_all(&folder).unwrap();
         let mounted = mount(&["-t", "tmpfs", "-o", options, "tmpfs"], &folder);
         mounted.then_some(Self(folder))
@@ -24,7 +24,7 @@ impl Drop for Mount {
     }
 }
 
-fn mount(arguments: &[&str], folder: &Path) -> bool {
+pub(super) fn mount(arguments: &[&str], folder: &Path) -> bool {
     let done = Command::new("mount").args(arguments).arg(folder).output();
     done.is_ok_and(|done| done.status.success())
 }

@@ -1,7 +1,7 @@
 //! Runs that are cut off at any moment.
 
 use super::{Desk, SMALL, skips};
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -11,7 +11,7 @@ const KILLS: u32 = 50;
 const TRIES: u32 = 4 * KILLS;
 
 /// A random number in [0, 1): splitmix64.
-fn random(state: &mut u64) -> f64 {
+pub(super) fn random(state: &mut u64) -> f64 {
     *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let mut z = *state;
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -21,7 +21,11 @@ fn random(state: &mut u64) -> f64 {
 
 /// Runs a command and kills it after so long. Whether it was still running.
 fn kill(desk: &Desk, line: &str, after: Duration) -> bool {
-    let mut command = desk.command(line);
+    kill_command(desk.command(line), after)
+}
+
+/// The same of a command that was made ready.
+pub(super) fn kill_command(mut command: Command, after: Duration) -> bool {
     command.stdout(Stdio::null()).stderr(Stdio::null());
     let mut child = command.spawn().unwrap();
     sleep(after);

@@ -1,6 +1,10 @@
 //! Peak memory does not grow with the file, nor with what is wrong with it.
 
 use super::Desk;
+#[cfg(target_os = "linux")]
+use super::windows;
+#[cfg(target_os = "linux")]
+use std::process::Command;
 
 /// The peak of resident memory so far, in KiB; none once the process has ended.
 #[cfg(target_os = "linux")]
@@ -13,7 +17,13 @@ fn peak(id: u32) -> Option<u64> {
 /// Runs a command that ends with this code, and returns its peak in bytes.
 #[cfg(target_os = "linux")]
 fn most(desk: &Desk, line: &str, code: i32) -> u64 {
-    let mut child = desk.command(line).spawn().unwrap();
+    most_of(desk.command(line), line, code)
+}
+
+/// The same of a command that was made ready.
+#[cfg(target_os = "linux")]
+fn most_of(mut command: Command, line: &str, code: i32) -> u64 {
+    let mut child = command.spawn().unwrap();
     let mut most = 0;
     while child.try_wait().unwrap().is_none() {
         most = most.max(peak(child.id()).unwrap_or(0));
@@ -38,6 +48,30 @@ fn a_large_file_takes_little_memory() {
         (1 << 20..LIMIT).contains(&bytes),
         "{bytes} bytes at the peak"
     );
+}
+
+/// Mapped windows are resident, and so is what the driver has.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_large_file_of_a_device_takes_little_memory() {
+    const FILE: u64 = 768 << 20;
+    const LIMIT: u64 = 512 << 20;
+    let desk = Desk::new();
+    for device in windows::devices() {
+        for wish in device.wishes() {
+            let line = format!(
+                "generate sobol --count 3145728 --dims 64 --out p.npy --device {}",
+                device.index
+            );
+            let mut command = desk.command(&line);
+            command.env(windows::VARIABLE, wish);
+            let bytes = most_of(command, &line, 0);
+            println!("{}, {wish}: {} MiB at the peak", device.name, bytes >> 20);
+            let length = std::fs::metadata(desk.path("p.npy")).unwrap().len();
+            assert_eq!(length, FILE + 4096);
+            assert!((1 << 20..LIMIT).contains(&bytes), "{bytes} bytes");
+        }
+    }
 }
 
 /// A text file that has become one line of zeros, within its rows or behind them.
