@@ -11,7 +11,6 @@ use super::host::{c_header, rust_module};
 use super::program::{Options, Parameters, Program, Table, program};
 use super::{About, Shader, Translations, translate};
 use crate::scene::{Needs, Scene};
-use crate::spirv::drop_local_names;
 use crate::{Error, Result};
 
 /// A file of a bundle.
@@ -86,11 +85,7 @@ pub fn bundle(
     };
     let made = program(name, needs, options)?;
     let flat = made.flat(false)?;
-    let spirv = made.spirv(&flat.text)?;
-    let mut spirv = drop_local_names(&spirv).map_err(|problem| Error::Shader {
-        shader: name.clone(),
-        problem: problem.to_string(),
-    })?;
+    let mut spirv = made.spirv(&flat.text)?;
     let mut optimised = None;
     if asked.spirv_opt {
         let bytes_before = 4 * spirv.len();
@@ -181,7 +176,7 @@ fn table_file(name: &str, table: &Table) -> String {
 }
 
 fn translations(program: &Program, scene: &str) -> Result<Translations> {
-    let words = program.spirv(&program.flat(true)?.text)?;
+    let words = program.named(&program.flat(true)?.text)?;
     let about = About {
         what: "the kernel of a scene",
         scene,

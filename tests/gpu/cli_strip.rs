@@ -108,6 +108,14 @@ fn scenes_are_measured_against_the_stock_kernels() {
     let desk = Desk::new();
     let said = desk.ask(&format!("bench --scene {quad} --json"));
     let document: serde_json::Value = serde_json::from_str(&said).unwrap();
+    // The module that is measured is the one that is written, for GPUs or for CPUs.
+    let written = ["", "--cpu"].map(|option| {
+        desk.say(&format!("strip {quad} {option} --target spirv --out out"));
+        desk.bytes("out/diffuse_quad.spv").len() as u64
+    });
+    let measured = &document["scenes"][0]["stripped"]["spirv_bytes"];
+    let measured = measured.as_u64().unwrap();
+    assert!(written.contains(&measured), "{measured} of {written:?}");
     let speeds = &document["scenes"][0]["speeds"];
     for side in ["full", "stripped"] {
         assert!(
