@@ -1,7 +1,8 @@
 //! Scenes, samplers and maps in every language, and compilers that take the files.
 
-use super::corpus::{Case, samplers};
+use super::corpus::{Case, every_map, samplers};
 use super::{scene, stripped, tool};
+use corput::catalog::Profile;
 use corput::scene::Scene;
 use corput::strip::{BundleOptions, TARGETS, bundle};
 use std::process::Command;
@@ -20,6 +21,19 @@ fn every_sampler_is_expressed_in_every_language() {
             made.files.iter().all(|file| !file.bytes.is_empty()),
             "{name}"
         );
+    }
+}
+
+#[test]
+fn every_map_is_expressed_in_every_language() {
+    for profile in [Profile::Exact, Profile::Native] {
+        for Case { name, needs } in every_map(profile) {
+            let mut scene = Scene::new("map").unwrap();
+            scene.profile = profile;
+            let made = stripped(&scene, &needs);
+            let mut files = made.files.iter();
+            assert!(files.all(|file| !file.bytes.is_empty()), "{name}");
+        }
     }
 }
 
