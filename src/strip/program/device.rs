@@ -2,7 +2,7 @@
 
 use super::{Parameters, Program};
 use crate::catalog::Profile as Functions;
-use crate::compile::{check, to_spirv};
+use crate::compile::{check, to_spirv_lean};
 use crate::interface::Profile;
 use crate::scene::PUSH_BYTES;
 use crate::spirv::drop_local_names;
@@ -37,7 +37,7 @@ impl Program {
     /// [`Error::Shader`] for what the compiler or the linter refuses, which is a defect of this
     /// crate.
     pub fn named(&self, text: &str) -> Result<Vec<u32>> {
-        to_spirv(text, &[], &mut |_| None)
+        to_spirv_lean(text)
             .and_then(|words| check(&words, self.rules()))
             .map_err(|problem| self.wrong(problem))
     }

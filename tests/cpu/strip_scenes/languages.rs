@@ -1,9 +1,11 @@
 //! Scenes, samplers and maps in every language, and compilers that take the files.
 
-use super::corpus::{Case, every_map, samplers};
+use super::corpus::{Case, every_map, files, samplers};
 use super::{scene, stripped, tool};
 use corput::catalog::Profile;
+use corput::compile::{to_spirv, to_spirv_lean};
 use corput::scene::Scene;
+use corput::strip::program::{Options, Parameters, program};
 use corput::strip::{BundleOptions, TARGETS, bundle};
 use std::process::Command;
 
@@ -35,6 +37,44 @@ fn every_map_is_expressed_in_every_language() {
             assert!(files.all(|file| !file.bytes.is_empty()), "{name}");
         }
     }
+}
+
+/// The compiler reads kernels with the declarations of an earlier version, which are fewer: the
+/// modules are those of the version that they name.
+#[test]
+fn the_lean_compiler_makes_the_same_modules() {
+    let maps = [Profile::Exact, Profile::Native]
+        .into_iter()
+        .flat_map(every_map);
+    let mut count = 0;
+    for Case { name, needs } in files().into_iter().chain(maps) {
+        for parameters in [Parameters::Push, Parameters::Uniform] {
+            let options = Options {
+                parameters,
+                ..Options::default()
+            };
+            let program = program(&name, &needs, options).unwrap();
+            let text = program
+                .flat(parameters == Parameters::Uniform)
+                .unwrap()
+                .text;
+            let lean = to_spirv_lean(&text).unwrap();
+            let whole = to_spirv(&text, &[], &mut |_| None).unwrap();
+            assert!(lean == whole, "{name}, {parameters:?}");
+            count += 1;
+        }
+    }
+    assert!(count > 100, "{count}");
+    // What a later version has is not guessed at.
+    let later = "#version 460\nlayout(local_size_x = 1) in;\n\
+        void main() { if (anyInvocation(true)) return; }\n";
+    assert!(to_spirv(later, &[], &mut |_| None).is_ok());
+    assert!(to_spirv_lean(later).is_err());
+    assert!(
+        to_spirv_lean("void main() {}\n")
+            .unwrap_err()
+            .contains("#version")
+    );
 }
 
 #[test]
