@@ -74,10 +74,15 @@ impl Aside {
     }
 
     /// Gives the file its final name; call [`Aside::fill`] before.
-    pub(super) fn commit(mut self) -> Result<()> {
+    pub(super) fn commit(self) -> Result<()> {
+        self.rename()?.last()
+    }
+
+    /// The same, where [`Aside::last`] is still to be called, once for each folder.
+    pub(super) fn rename(mut self) -> Result<Self> {
         self.named(fs::rename(&self.partial, &self.real))?;
         self.committed = true;
-        self.last()
+        Ok(self)
     }
 
     /// The same where a file of that name that is there must stay.
@@ -99,8 +104,8 @@ impl Aside {
         done.map_err(|source| failed("rename the finished file to", &self.asked, source))
     }
 
-    /// Makes the name last.
-    fn last(&self) -> Result<()> {
+    /// Makes the name last, and with it all that were given before in its folder.
+    pub(super) fn last(&self) -> Result<()> {
         let synced = sync_folder(&self.real);
         synced.map_err(|source| failed("sync the folder of", &self.asked, source))
     }

@@ -57,6 +57,7 @@ pub use whole::{Form, Whole};
 
 use crate::error::{Error, Result};
 use place::{Place, failed};
+use std::collections::HashSet;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
@@ -113,7 +114,15 @@ pub fn save_all<'b>(files: impl IntoIterator<Item = (PathBuf, &'b [u8])>) -> Res
             place => Document { place, ..document }.finish(bytes)?,
         }
     }
-    written.into_iter().try_for_each(aside::Aside::commit)
+    let named = written.into_iter().map(aside::Aside::rename);
+    let named = named.collect::<Result<Vec<_>>>()?;
+    // A folder is synced once, after its last name.
+    let mut folders = HashSet::new();
+    let mut last = named.iter().rev();
+    last.try_for_each(|one| match folders.insert(one.real().parent()) {
+        true => one.last(),
+        false => Ok(()),
+    })
 }
 
 /// A place for a small binary file, opened before the work whose result it takes.
