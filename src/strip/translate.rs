@@ -80,7 +80,8 @@ impl<'a> Translator<'a> {
                 let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
                 let options = naga::front::spv::Options::default();
                 let parsed = naga::front::spv::parse_u8_slice(&bytes, &options);
-                let module = parsed.map_err(|error| refused("SPIR-V", error.to_string()))?;
+                let mut module = parsed.map_err(|error| refused("SPIR-V", error.to_string()))?;
+                plain_names(&mut module);
                 (module, "")
             }
         };
@@ -127,6 +128,16 @@ impl<'a> Translator<'a> {
         let text = to_msl(&self.module, &self.info);
         let text = text.map_err(|error| refused(&self.about, "MSL", error))?;
         Ok(head(&self.about, UNSEEN) + &text)
+    }
+}
+
+/// Takes from the names of functions what glslang adds: the types of their parameters, of which
+/// languages would make names of a thousand letters. naga numbers those that are then equal.
+fn plain_names(module: &mut naga::Module) {
+    for (_, function) in module.functions.iter_mut() {
+        if let Some(name) = &mut function.name {
+            name.truncate(name.find('(').unwrap_or(name.len()));
+        }
     }
 }
 

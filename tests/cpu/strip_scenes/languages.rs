@@ -5,8 +5,13 @@ use super::{scene, stripped, tool};
 use corput::catalog::Profile;
 use corput::compile::{to_spirv, to_spirv_lean};
 use corput::scene::Scene;
+use corput::spirv::describe;
 use corput::strip::program::{Options, Parameters, program};
-use corput::strip::{BundleOptions, TARGETS, bundle};
+use corput::strip::{BundleOptions, TARGETS, Target, bundle};
+use glslang::{
+    Compiler, CompilerOptions, Shader, ShaderInput, ShaderSource, ShaderStage, SourceLanguage,
+    SpirvVersion, Target::Vulkan, VulkanVersion,
+};
 use std::process::Command;
 
 #[test]
@@ -123,4 +128,55 @@ fn compilers_take_the_files() {
             ],
         );
     }
+}
+
+/// HLSL as glslang's front end reads it, to SPIR-V.
+fn hlsl(text: &str) -> Result<Vec<u32>, String> {
+    let compiler = Compiler::acquire().expect("glslang starts");
+    let source = ShaderSource::from(text);
+    let options = CompilerOptions {
+        source_language: SourceLanguage::HLSL,
+        target: Vulkan {
+            version: VulkanVersion::Vulkan1_1,
+            spirv_version: SpirvVersion::SPIRV1_3,
+        },
+        ..CompilerOptions::default()
+    };
+    let none: Option<&[(&str, Option<&str>)]> = None;
+    ShaderInput::new(&source, ShaderStage::Compute, &options, none, None)
+        .and_then(|input| {
+            let mut shader = Shader::new(compiler, input);
+            shader.entry_point("main");
+            shader.source_entry_point("main");
+            shader.parse()
+        })
+        .and_then(|shader| shader.compile())
+        .map_err(|error| error.to_string())
+}
+
+/// The text with arrays that begin unset where they begin as zeros: `(T[N])0` is HLSL, but none
+/// that glslang reads.
+fn without_zeros(text: &str) -> String {
+    let line = |line: &str| match line.split_once(" = (") {
+        Some((declared, value)) if value.ends_with("])0;") => format!("{declared};\n"),
+        _ => format!("{line}\n"),
+    };
+    text.lines().map(line).collect()
+}
+
+#[test]
+fn a_front_end_takes_the_hlsl() {
+    let mut zeros = 0;
+    for Case { name, .. } in files() {
+        let (scene, needs) = scene(&name);
+        let made = bundle(&scene, &needs, &[Target::Hlsl], BundleOptions::default()).unwrap();
+        let text = String::from_utf8(made.files[0].bytes.clone()).unwrap();
+        let read = without_zeros(&text);
+        zeros += usize::from(read != text);
+        let words = hlsl(&read).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(describe(&words).is_ok(), "{name}");
+        let broken = read.replacen("uint", "uimt", 1);
+        assert!(hlsl(&broken).is_err(), "{name}");
+    }
+    assert_eq!(zeros, 1);
 }
