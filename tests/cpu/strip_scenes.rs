@@ -13,7 +13,7 @@ use corput::bench::scene::stock_points;
 use corput::catalog::Sampler;
 use corput::kernels::spirv;
 use corput::scene::{Needs, Scene, parse, read};
-use corput::spirv::{describe, drop_local_names};
+use corput::spirv::{describe, drop_local_names, exact_policy, lint};
 use corput::strip::{Bundle, BundleOptions, TARGETS, Target, bundle};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -164,6 +164,42 @@ fn the_manifest_says_what_is_there() {
     assert_eq!(made.files, again.files, "the same scene, other bytes");
 }
 
+/// Version of a crate in Cargo.lock.
+fn locked(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.lock");
+    let lock: toml::Table = std::fs::read_to_string(path).unwrap().parse().unwrap();
+    let packages = lock["package"].as_array().unwrap();
+    let mut found = packages
+        .iter()
+        .filter(|one| one["name"].as_str() == Some(name));
+    let version = found.next().unwrap()["version"].as_str().unwrap();
+    assert!(found.next().is_none(), "two versions of {name}");
+    version.to_owned()
+}
+
+#[test]
+fn the_manifest_has_the_versions_that_are_built() {
+    let (scene, needs) = scene("diffuse_quad");
+    let made = bundle(&scene, &needs, &[], BundleOptions::default()).unwrap();
+    let manifest: Value = serde_json::from_slice(&made.files.last().unwrap().bytes).unwrap();
+    for name in ["glslang", "naga"] {
+        let said = manifest["versions"][name].as_str().unwrap();
+        let version = said.strip_prefix(&format!("crate {name} ")).unwrap();
+        // Cargo takes any that agrees in the first number, or in two after a 0.
+        let locked = locked(name);
+        assert!(
+            locked.starts_with(&format!("{version}.")),
+            "{said}: {locked}"
+        );
+        let parts = version.split('.').count();
+        assert_eq!(
+            parts,
+            if version.starts_with("0.") { 2 } else { 1 },
+            "{said}"
+        );
+    }
+}
+
 /// A program on PATH; it is said aloud where there is none.
 fn tool(name: &str) -> bool {
     let there = Command::new(name).arg("--version").output().is_ok();
@@ -194,6 +230,19 @@ fn the_optimiser_is_recorded_and_its_module_linted() {
     );
     assert_ne!(made.spirv, plain.spirv);
     assert!(describe(&made.spirv).is_ok());
+    // The file, its entry and what was linted are the module after the optimiser.
+    let report = lint(&made.spirv, &exact_policy()).unwrap();
+    assert!(report.is_clean(), "{:?}", report.violations);
+    let bytes: Vec<u8> = made.spirv.iter().flat_map(|w| w.to_le_bytes()).collect();
+    assert_eq!(made.files[0].bytes, bytes);
+    let entry = &manifest["files"][0];
+    assert_eq!(entry["checked"], "compiled by glslang, linted");
+    assert_eq!(entry["bytes"], bytes.len());
+    let hash: String = Sha256::digest(&bytes)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    assert_eq!(entry["sha256"], hash);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 mod desk;
 mod support;
 
-use desk::{Desk, repository};
+use desk::{Desk, Run, repository};
 use std::fs;
 use support::skips;
 
@@ -186,4 +186,63 @@ fn a_name_that_is_taken_leaves_all_as_it_was() {
     desk.run(&line).expect(2, &["diffuse_sky.spv"]);
     assert_eq!(desk.names(), ["diffuse_sky.glsl", "diffuse_sky.spv"]);
     assert_eq!(text(&desk, "diffuse_sky.glsl"), "mine");
+}
+
+/// A program that stands on PATH for the optimiser: it says its version, and otherwise does
+/// this.
+#[cfg(unix)]
+fn optimiser(desk: &Desk, does: &str) -> std::ffi::OsString {
+    use std::os::unix::fs::PermissionsExt;
+    let path = desk.path("bin/spirv-opt");
+    fs::create_dir_all(desk.path("bin")).unwrap();
+    let text = format!("#!/bin/sh\n[ \"$1\" = --version ] && echo made-up 1 && exit\n{does}\n");
+    fs::write(&path, text).unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    let known = std::env::var_os("PATH").unwrap_or_default();
+    let folders = std::iter::once(desk.path("bin")).chain(std::env::split_paths(&known));
+    std::env::join_paths(folders).unwrap()
+}
+
+#[cfg(unix)]
+#[test]
+fn what_an_optimiser_makes_is_linted_again() {
+    let desk = Desk::new();
+    // A root of the device's own outside the functions that may have one.
+    let native = "#version 450\nlayout(local_size_x = 64) in;\n\
+        layout(std430, set = 0, binding = 0) buffer Samples { float samples[]; };\n\
+        void main() { samples[0] = sqrt(samples[1]); }\n";
+    let words = corput::compile::to_spirv(native, &[], &mut |_| None).unwrap();
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    fs::write(desk.path("native.spv"), bytes).unwrap();
+    let line = format!(
+        "strip {} --target spirv --spirv-opt --out out",
+        scene("diffuse_quad.toml")
+    );
+    let run = |does: &str| {
+        let path = optimiser(&desk, does);
+        let mut command = desk.command(&line);
+        command.env("PATH", path);
+        Run::of(&line, command)
+    };
+    for (does, words) in [
+        (
+            "cat >/dev/null; cat native.spv",
+            &["after it the linter refuses it", "Sqrt"][..],
+        ),
+        ("cat >/dev/null; printf four", &["after it"]),
+        (
+            "cat >/dev/null; echo no >&2; exit 1",
+            &["spirv-opt failed: no"],
+        ),
+    ] {
+        run(does).expect(2, words);
+        assert!(!desk.path("out").exists(), "{does}");
+    }
+    // The same module is fit.
+    run("cat").expect(0, &[]);
+    let manifest: serde_json::Value =
+        serde_json::from_slice(&desk.bytes("out/manifest.json")).unwrap();
+    assert_eq!(manifest["spirv_opt"]["version"], "made-up 1");
+    let bytes = desk.bytes("out/diffuse_quad.spv").len();
+    assert_eq!(manifest["spirv_opt"]["bytes_before"], bytes);
 }
