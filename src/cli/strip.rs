@@ -5,14 +5,21 @@ use super::{host, maps, print};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use corput::bench::scene::{Comparison, compare, document, page, rows, sizes};
 use corput::catalog::{Group, Profile, Sampler};
+use corput::compile::warm_up;
 use corput::report::{create_folder, save_all};
 use corput::scene::{self, Needs, Scene, Stated};
 use corput::strip::{Bundle, BundleOptions, Target, bundle};
 use corput::{Error, Result};
+use std::panic::resume_unwind;
 use std::path::PathBuf;
 
 pub fn run(args: &StripArgs) -> anyhow::Result<()> {
-    let (scene, needs) = asked(args)?;
+    // The compiler's own declarations are read beside the scene's pictures.
+    let (scene, needs) = std::thread::scope(|scope| {
+        let asked = scope.spawn(|| asked(args));
+        warm_up();
+        asked.join().unwrap_or_else(|panic| resume_unwind(panic))
+    })?;
     for warning in &needs.warnings {
         eprintln!("corput: warning: {warning}");
     }

@@ -79,7 +79,7 @@ impl Aside {
         self.last()
     }
 
-    /// The same but for making the name last, after which [`Aside::last`] does that.
+    /// The same, where [`Aside::last`] is still to be called, once for each folder.
     pub(super) fn rename(&mut self) -> Result<()> {
         self.named(fs::rename(&self.partial, &self.real))?;
         self.committed = true;
@@ -105,7 +105,7 @@ impl Aside {
         done.map_err(|source| failed("rename the finished file to", &self.asked, source))
     }
 
-    /// Makes the name last.
+    /// Makes the name last, and with it all that were given before in its folder.
     pub(super) fn last(&self) -> Result<()> {
         let synced = sync_folder(&self.real);
         synced.map_err(|source| failed("sync the folder of", &self.asked, source))

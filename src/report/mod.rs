@@ -73,6 +73,7 @@ pub use whole::{Form, Whole};
 
 use crate::error::{Error, Result};
 use place::{Place, failed};
+use std::collections::HashSet;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
@@ -118,7 +119,7 @@ pub fn save_with<B: AsRef<[u8]>>(path: &Path, make: impl FnOnce() -> Result<B>) 
 ///
 /// As [`save`].
 pub fn save_all<'b>(files: impl IntoIterator<Item = (PathBuf, &'b [u8])>) -> Result<()> {
-    let mut written = Vec::new();
+    let mut written: Vec<aside::Aside> = Vec::new();
     for (path, bytes) in files {
         let document = Document::open(&Target::File(path))?;
         match document.place {
@@ -129,7 +130,14 @@ pub fn save_all<'b>(files: impl IntoIterator<Item = (PathBuf, &'b [u8])>) -> Res
             place => Document { place, ..document }.finish(bytes)?,
         }
     }
-    written.into_iter().try_for_each(aside::Aside::commit)
+    written.iter_mut().try_for_each(aside::Aside::rename)?;
+    // A folder is synced once, after its last name.
+    let mut folders = HashSet::new();
+    let mut last = written.iter().rev();
+    last.try_for_each(|one| match folders.insert(one.real().parent()) {
+        true => one.last(),
+        false => Ok(()),
+    })
 }
 
 /// A place for a small binary file, opened before the work whose result it takes.

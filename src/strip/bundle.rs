@@ -4,15 +4,17 @@
 mod manifest;
 mod optimise;
 mod target;
+mod uniform;
 
 pub use target::{TARGETS, Target};
 
+use super::flat::Flat;
 use super::host::{c_header, rust_module};
 use super::program::{Options, Parameters, Program, Table, program};
-use super::{About, Shader, Translations, translate};
 use crate::scene::{Needs, Scene};
-use crate::spirv::drop_local_names;
 use crate::{Error, Result};
+use std::panic::resume_unwind;
+use uniform::Uniform;
 
 /// A file of a bundle.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,7 +54,7 @@ pub struct Bundle {
     /// The kernel with push constants.
     pub program: Program,
     /// What its text has kept and left out.
-    pub flat: super::Flat,
+    pub flat: Flat,
     /// Its module.
     pub spirv: Vec<u32>,
     /// What the optimiser did, where it was asked for.
@@ -80,65 +82,28 @@ pub fn bundle(
             remedy: "give the scene another name".to_owned(),
         });
     }
-    let options = Options {
-        parameters: Parameters::Push,
-        cpu: asked.cpu,
-    };
-    let made = program(name, needs, options)?;
-    let flat = made.flat(false)?;
-    let spirv = made.spirv(&flat.text)?;
-    let mut spirv = drop_local_names(&spirv).map_err(|problem| Error::Shader {
-        shader: name.clone(),
-        problem: problem.to_string(),
+    let (own, uniform) = std::thread::scope(|scope| {
+        let uniform = scope.spawn(|| Uniform::new(name, needs, targets, asked.cpu));
+        let own = Own::new(name, needs, asked);
+        let uniform = uniform.join();
+        let uniform = uniform.unwrap_or_else(|panic| resume_unwind(panic));
+        Ok::<_, Error>((own?, uniform?))
     })?;
-    let mut optimised = None;
-    if asked.spirv_opt {
-        let bytes_before = 4 * spirv.len();
-        let (words, version) = optimise::optimise(name, &spirv, made.rules())?;
-        spirv = words;
-        optimised = Some(Optimised {
-            bytes_before,
-            version,
-        });
-    }
-    let interface = made.interface(&spirv)?;
-    // Languages and engines without push constants.
-    let options = Options {
-        parameters: Parameters::Uniform,
-        cpu: asked.cpu,
-    };
-    let uniform = match targets.iter().any(|one| one.has_uniform()) {
-        true => Some(program(name, needs, options)?),
-        false => None,
-    };
-    let translated = match &uniform {
-        Some(program) if targets.iter().any(|one| one.is_translated()) => {
-            Some(translations(program, name)?)
-        }
-        _ => None,
-    };
-    let mut files = Vec::new();
-    for (at, target) in targets.iter().enumerate() {
-        if targets.iter().take(at).any(|one| one == target) {
+    let interface = own.program.interface(&own.spirv)?;
+    let mut files: Vec<File> = Vec::new();
+    for target in targets {
+        if files.iter().any(|file| file.target == Some(*target)) {
             continue;
         }
-        let text = |of: fn(&Translations) -> &String| {
-            translated
-                .as_ref()
-                .map_or_else(String::new, |t| of(t).clone())
-        };
         let bytes = match target {
-            Target::Glsl => flat.text.clone().into_bytes(),
-            Target::Spirv => spirv.iter().flat_map(|word| word.to_le_bytes()).collect(),
-            Target::Godot => match &uniform {
-                Some(program) => format!("#[compute]\n{}", program.flat(false)?.text).into_bytes(),
-                None => Vec::new(),
-            },
-            Target::Wgsl => text(|t| &t.wgsl).into_bytes(),
-            Target::Hlsl => text(|t| &t.hlsl).into_bytes(),
-            Target::Msl => text(|t| &t.msl).into_bytes(),
+            Target::Glsl => own.flat.text.clone().into_bytes(),
+            Target::Spirv => little_endian(&own.spirv),
             Target::C => c_header(&interface)?.into_bytes(),
             Target::Rust => rust_module(&interface)?.into_bytes(),
+            Target::Godot | Target::Wgsl | Target::Hlsl | Target::Msl => {
+                let text = uniform.as_ref().and_then(|made| made.text(*target));
+                text.unwrap_or_default().as_bytes().to_vec()
+            }
         };
         files.push(File {
             name: format!("{name}.{}", target.ending()),
@@ -146,25 +111,21 @@ pub fn bundle(
             bytes,
         });
     }
-    files.extend(made.tables.iter().map(|table| {
-        File {
-            name: table_file(name, table),
-            target: None,
-            bytes: table
-                .words
-                .iter()
-                .flat_map(|word| word.to_le_bytes())
-                .collect(),
-        }
+    let tables = own.program.tables.iter();
+    files.extend(tables.map(|table| File {
+        name: table_file(name, table),
+        target: None,
+        bytes: little_endian(&table.words),
     }));
     let mut bundle = Bundle {
         files,
-        program: made,
-        flat,
-        spirv,
-        optimised,
+        program: own.program,
+        flat: own.flat,
+        spirv: own.spirv,
+        optimised: own.optimised,
     };
-    let document = manifest::document(scene, needs, &bundle, uniform.as_ref());
+    let uniform = uniform.as_ref().map(|made| &made.program);
+    let document = manifest::document(scene, needs, &bundle, uniform);
     let mut bytes = format!("{document:#}").into_bytes();
     bytes.push(b'\n');
     bundle.files.push(File {
@@ -175,25 +136,48 @@ pub fn bundle(
     Ok(bundle)
 }
 
+/// The kernel with push constants.
+struct Own {
+    program: Program,
+    flat: Flat,
+    spirv: Vec<u32>,
+    optimised: Option<Optimised>,
+}
+
+impl Own {
+    fn new(name: &str, needs: &Needs, asked: BundleOptions) -> Result<Self> {
+        let options = Options {
+            parameters: Parameters::Push,
+            cpu: asked.cpu,
+        };
+        let program = program(name, needs, options)?;
+        let flat = program.flat(false)?;
+        let mut spirv = program.spirv(&flat.text)?;
+        let mut optimised = None;
+        if asked.spirv_opt {
+            let bytes_before = 4 * spirv.len();
+            let (words, version) = optimise::optimise(name, &spirv, program.rules())?;
+            spirv = words;
+            optimised = Some(Optimised {
+                bytes_before,
+                version,
+            });
+        }
+        Ok(Self {
+            program,
+            flat,
+            spirv,
+            optimised,
+        })
+    }
+}
+
+/// Words as bytes, the lowest first.
+fn little_endian(words: &[u32]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
+}
+
 /// The name of a table's file: words, the lowest byte first.
 fn table_file(name: &str, table: &Table) -> String {
     format!("{name}.{}.bin", table.name)
-}
-
-fn translations(program: &Program, scene: &str) -> Result<Translations> {
-    let words = program.spirv(&program.flat(true)?.text)?;
-    let about = About {
-        what: "the kernel of a scene",
-        scene,
-    };
-    translate(Shader::Spirv(&words), &about).map_err(|error| match error {
-        // What it says of stock kernels is done here already.
-        Error::Arguments { asked, limit, .. } => Error::Arguments {
-            asked: format!("{asked}, {scene}"),
-            limit,
-            remedy: "leave wgsl, hlsl and msl out of the targets, or change what the scene draws"
-                .to_owned(),
-        },
-        other => other,
-    })
 }

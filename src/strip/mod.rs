@@ -48,7 +48,7 @@ pub use bundle::{Bundle, BundleOptions, File, Optimised, TARGETS, Target, bundle
 pub use flat::{Constant, Contents, Flat, Part};
 pub use measure::{Measure, measure};
 #[cfg(feature = "strip")]
-pub use translate::{About, Shader, Translations, translate};
+pub use translate::{About, Shader, Translations, Translator, translate};
 
 use crate::Result;
 use fault::{Fault, refuse};

@@ -41,48 +41,114 @@ pub struct Translations {
 /// specialization constants, or naga does not: [`bake`](super::bake) them first.
 ///
 /// # Errors
-/// The language, and what naga says of it.
+/// Those of [`Translator::new`] and of each language.
 pub fn translate(shader: Shader, about: &About) -> Result<Translations> {
-    let refused = |language: &str, limit: String| Error::Arguments {
+    let translator = Translator::new(shader, *about)?;
+    Ok(Translations {
+        wgsl: translator.wgsl()?,
+        hlsl: translator.hlsl()?,
+        msl: translator.msl()?,
+    })
+}
+
+/// A compute shader with entry point `main`, read once, to write in the languages that are
+/// wanted.
+#[derive(Debug)]
+pub struct Translator<'a> {
+    module: naga::Module,
+    info: ModuleInfo,
+    about: About<'a>,
+}
+
+impl<'a> Translator<'a> {
+    /// Reads a shader.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`] with what naga says, of a shader that it does not read, that has
+    /// specialization constants, or that no language can have: such as numbers of 64 bits and
+    /// literals that are infinite or NaN.
+    pub fn new(shader: Shader, about: About<'a>) -> Result<Self> {
+        let refused = |language, limit| refused(&about, language, limit);
+        let (module, source) = match shader {
+            Shader::Glsl(text) => {
+                let parsed = naga::front::glsl::Frontend::default()
+                    .parse(&naga::ShaderStage::Compute.into(), text);
+                let module = parsed.map_err(|error| refused("GLSL", error.emit_to_string(text)))?;
+                (module, text)
+            }
+            Shader::Spirv(words) => {
+                let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+                let options = naga::front::spv::Options::default();
+                let parsed = naga::front::spv::parse_u8_slice(&bytes, &options);
+                let mut module = parsed.map_err(|error| refused("SPIR-V", error.to_string()))?;
+                plain_names(&mut module);
+                (module, "")
+            }
+        };
+        if !module.overrides.is_empty() {
+            let left = format!(
+                "{} specialization constants are left",
+                module.overrides.len()
+            );
+            return Err(refused("any language", left));
+        }
+        let info = valid(&module, source).map_err(|error| refused("any language", error))?;
+        Ok(Self {
+            module,
+            info,
+            about,
+        })
+    }
+
+    /// WGSL, read again and validated.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`] with what naga says that the language lacks.
+    pub fn wgsl(&self) -> Result<String> {
+        let text = to_wgsl(&self.module, &self.info);
+        let text = text.map_err(|error| refused(&self.about, "WGSL", error))?;
+        Ok(head(&self.about, "") + &text)
+    }
+
+    /// HLSL, shader model 5.1; no compiler has seen it.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`] with what naga says that the language lacks.
+    pub fn hlsl(&self) -> Result<String> {
+        let text = to_hlsl(&self.module, &self.info);
+        let text = text.map_err(|error| refused(&self.about, "HLSL", error))?;
+        Ok(head(&self.about, UNSEEN) + &text)
+    }
+
+    /// Metal 2.1; no compiler has seen it.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`] with what naga says that the language lacks.
+    pub fn msl(&self) -> Result<String> {
+        let text = to_msl(&self.module, &self.info);
+        let text = text.map_err(|error| refused(&self.about, "MSL", error))?;
+        Ok(head(&self.about, UNSEEN) + &text)
+    }
+}
+
+/// Takes from the names of functions what glslang adds: the types of their parameters, of which
+/// languages would make names of a thousand letters. naga numbers those that are then equal.
+fn plain_names(module: &mut naga::Module) {
+    for (_, function) in module.functions.iter_mut() {
+        if let Some(name) = &mut function.name {
+            name.truncate(name.find('(').unwrap_or(name.len()));
+        }
+    }
+}
+
+fn refused(about: &About, language: &str, limit: String) -> Error {
+    Error::Arguments {
         asked: format!("{} in {language}", about.what),
         limit: format!("naga: {}", limit.trim()),
         remedy: "define CORPUT_PORTABLE, and bake its specialization constants, before it is \
                  compiled; or do without that language"
             .to_owned(),
-    };
-    let (module, source) = match shader {
-        Shader::Glsl(text) => {
-            let parsed = naga::front::glsl::Frontend::default()
-                .parse(&naga::ShaderStage::Compute.into(), text);
-            let module = parsed.map_err(|error| refused("GLSL", error.emit_to_string(text)))?;
-            (module, text)
-        }
-        Shader::Spirv(words) => {
-            let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
-            let options = naga::front::spv::Options::default();
-            let parsed = naga::front::spv::parse_u8_slice(&bytes, &options);
-            (
-                parsed.map_err(|error| refused("SPIR-V", error.to_string()))?,
-                "",
-            )
-        }
-    };
-    if !module.overrides.is_empty() {
-        let left = format!(
-            "{} specialization constants are left",
-            module.overrides.len()
-        );
-        return Err(refused("any language", left));
     }
-    let info = valid(&module, source).map_err(|error| refused("any language", error))?;
-    let wgsl = to_wgsl(&module, &info).map_err(|error| refused("WGSL", error))?;
-    let hlsl = to_hlsl(&module, &info).map_err(|error| refused("HLSL", error))?;
-    let msl = to_msl(&module, &info).map_err(|error| refused("MSL", error))?;
-    Ok(Translations {
-        wgsl: head(about, "") + &wgsl,
-        hlsl: head(about, UNSEEN) + &hlsl,
-        msl: head(about, UNSEEN) + &msl,
-    })
 }
 
 /// What the languages that nothing here can compile say.

@@ -1,16 +1,20 @@
 //! Stripped scenes: what is absent is absent, sizes stay within budgets, and the files are what
 //! the manifest says.
 
+#[path = "strip_scenes/absent.rs"]
+mod absent;
 #[path = "../gpu/program/corpus.rs"]
 mod corpus;
+#[path = "strip_scenes/languages.rs"]
+mod languages;
 
-use corpus::{Case, files, samplers};
-use corput::catalog::{Profile, SEQUENCES, Sampler, Sequence, maps};
+use corpus::{Case, files};
+use corput::bench::scene::stock_points;
+use corput::catalog::Sampler;
 use corput::kernels::spirv;
-use corput::scene::{Draw, Needs, Scene, parse, read};
-use corput::spirv::{describe, drop_local_names};
-use corput::strip::{Bundle, BundleOptions, TARGETS, Target, bundle, measure};
-use corput::variant::{Work, general};
+use corput::scene::{Needs, Scene, parse, read};
+use corput::spirv::{describe, drop_local_names, exact_policy, lint};
+use corput::strip::{Bundle, BundleOptions, TARGETS, Target, bundle};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -49,144 +53,6 @@ fn stripped(scene: &Scene, needs: &Needs) -> Bundle {
         .unwrap_or_else(|error| panic!("{}: {error}", scene.name))
 }
 
-fn functions(words: &[u32]) -> Vec<String> {
-    let facts = describe(words).unwrap();
-    // glslang adds the types of parameters after a bracket.
-    let plain = |name: &String| name.split('(').next().unwrap_or(name).to_owned();
-    facts.functions.iter().map(plain).collect()
-}
-
-/// Names of functions that only this sequence's columns call.
-fn own_functions(sequence: Sequence) -> &'static [&'static str] {
-    match sequence {
-        Sequence::RandomFast => &["corput_random_fast"],
-        Sequence::Pcg32 => &["corput_pcg32_value"],
-        Sequence::Stratified => &["corput_stratified"],
-        Sequence::LatinHypercube => &["corput_latin_hypercube"],
-        Sequence::MultiJittered => &["corput_cmj"],
-        Sequence::Hammersley => &["corput_hammersley_value"],
-        Sequence::Sobol => &["corput_owen_hash_reversed"],
-        Sequence::Pmj02 => &["corput_pmj02_scramble"],
-        Sequence::Lattice => &["corput_lattice"],
-        Sequence::Korobov => &["corput_korobov"],
-        Sequence::R2 => &["corput_additive"],
-        // Strata and nets are jittered by random numbers, Hammersley's set has radical inverses.
-        _ => &[],
-    }
-}
-
-/// What a module has that its scene does not need.
-fn superfluous(needs: &Needs, words: &[u32]) -> Vec<String> {
-    let found = functions(words);
-    let mut wrong = Vec::new();
-    for map in maps() {
-        let name = map.name.replace('-', "_");
-        let drawn = needs.domains.iter().filter_map(|one| one.draw.mapping());
-        // Bounded caps are caps of another lobe.
-        let is_this = |other: &str| {
-            other == map.name || (other == "ggx-vndf-bounded" && map.name == "ggx-vndf-cap")
-        };
-        // These are parts of others: a cosine-weighted direction lies over the disk.
-        let within = [
-            "concentric-disk",
-            "polar-disk",
-            "uniform-sphere",
-            "cone",
-            "exponential",
-            "spherical-triangle",
-            "gaussian",
-            "beckmann-normal",
-            "box-muller",
-            "normal-pair",
-        ];
-        let mut drawn = drawn.map(|mapping| mapping.map().name);
-        if within.contains(&map.name) || drawn.any(is_this) {
-            continue;
-        }
-        let names = [format!("corput_{name}"), format!("corput_native_{name}")];
-        wrong.extend(found.iter().filter(|one| names.contains(one)).cloned());
-    }
-    for sequence in SEQUENCES
-        .iter()
-        .filter(|one| **one != needs.request.sequence)
-    {
-        let own = own_functions(*sequence);
-        let own = own.iter().map(ToString::to_string);
-        wrong.extend(own.filter(|name| found.contains(name)));
-    }
-    let native = needs.request.profile == Profile::Native;
-    if !native {
-        let foreign = found
-            .iter()
-            .filter(|name| name.starts_with("corput_native_"));
-        wrong.extend(foreign.cloned());
-    }
-    let facts = measure(words).unwrap();
-    if facts.table_bytes > 0 {
-        wrong.push(format!("{} bytes of tables", facts.table_bytes));
-    }
-    if facts.specialization > 0 {
-        wrong.push(format!("{} specialization constants", facts.specialization));
-    }
-    let environment = |draw: &Draw| {
-        draw.mapping()
-            .is_some_and(|one| one.map().name.starts_with("environment"))
-    };
-    let many = |draw: &Draw| matches!(draw, Draw::Choice(weights) if weights.len() > 16);
-    let tables = needs
-        .domains
-        .iter()
-        .filter(|one| environment(&one.draw) || many(&one.draw));
-    if facts.resources.len() > 1 + tables.count() {
-        wrong.push(format!("{:?} are bound", facts.resources));
-    }
-    wrong
-}
-
-#[test]
-fn what_is_absent_is_absent() {
-    let cases = files();
-    assert!(cases.len() >= 12);
-    for Case { name, .. } in &cases {
-        let (scene, needs) = scene(name);
-        let made = stripped(&scene, &needs);
-        let wrong = superfluous(&needs, &made.spirv);
-        assert_eq!(wrong, Vec::<String>::new(), "{name}");
-    }
-    // The general kernel, with all that a scene's kernel has not.
-    let (_, quad) = scene("diffuse_quad");
-    let stock = corput::kernels::spirv("generate_digits").unwrap();
-    let wrong = superfluous(&quad, &stock).join(", ");
-    assert!(wrong.contains("specialization constants"), "{wrong}");
-    for (sampler, word) in [
-        ("lattice", "corput_lattice"),
-        ("cmj", "corput_cmj"),
-        ("r2", "corput_additive"),
-    ] {
-        let case = samplers()
-            .into_iter()
-            .find(|case| case.name.starts_with(sampler))
-            .unwrap();
-        let made = stripped(&Scene::new("points").unwrap(), &case.needs);
-        let wrong = superfluous(&quad, &made.spirv);
-        assert!(wrong.iter().any(|one| one == word), "{sampler}: {wrong:?}");
-    }
-    // Each of these is found where it is: the needs of one scene, the module of another.
-    for (other, word) in [
-        ("glossy_sphere", "corput_ggx_vndf"),
-        ("everything", "corput_native_ggx_vndf_cap"),
-        ("diffuse_sky", "are bound"),
-        ("fog", "corput_henyey_greenstein"),
-    ] {
-        let (scene, needs) = scene(other);
-        let wrong = superfluous(&quad, &stripped(&scene, &needs).spirv);
-        assert!(
-            wrong.iter().any(|one| one.contains(word)),
-            "{other}: {wrong:?}"
-        );
-    }
-}
-
 #[test]
 fn modules_are_within_their_budgets() {
     for Case { name, .. } in files() {
@@ -214,17 +80,7 @@ fn bare_points_are_a_quarter_of_the_general_kernel() {
         scene.sampler.value = Sampler::parse(sampler).unwrap();
         scene.samples.value = 1024;
         let needs = Needs::of_points(&scene, 2, None).unwrap();
-        let general = general(&Work {
-            columns: &needs.request.columns,
-            first: 0,
-            points: needs.request.count,
-            fractions: true,
-            map: None,
-            native: false,
-            cpu: false,
-            int64: false,
-        });
-        let general = spirv(general.kernel.name).unwrap();
+        let general = spirv(stock_points(&needs).kernel.name).unwrap();
         let bytes = stripped(&scene, &needs).spirv.len();
         assert!(
             4 * bytes <= general.len(),
@@ -308,19 +164,38 @@ fn the_manifest_says_what_is_there() {
     assert_eq!(made.files, again.files, "the same scene, other bytes");
 }
 
+/// Version of a crate in Cargo.lock.
+fn locked(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.lock");
+    let lock: toml::Table = std::fs::read_to_string(path).unwrap().parse().unwrap();
+    let packages = lock["package"].as_array().unwrap();
+    let mut found = packages
+        .iter()
+        .filter(|one| one["name"].as_str() == Some(name));
+    let version = found.next().unwrap()["version"].as_str().unwrap();
+    assert!(found.next().is_none(), "two versions of {name}");
+    version.to_owned()
+}
+
 #[test]
-fn every_sampler_is_expressed_in_every_language() {
-    for Case { name, needs } in samplers() {
-        let made = bundle(
-            &Scene::new("points").unwrap(),
-            &needs,
-            &TARGETS,
-            BundleOptions::default(),
-        );
-        let made = made.unwrap_or_else(|error| panic!("{name}: {error}"));
+fn the_manifest_has_the_versions_that_are_built() {
+    let (scene, needs) = scene("diffuse_quad");
+    let made = bundle(&scene, &needs, &[], BundleOptions::default()).unwrap();
+    let manifest: Value = serde_json::from_slice(&made.files.last().unwrap().bytes).unwrap();
+    for name in ["glslang", "naga"] {
+        let said = manifest["versions"][name].as_str().unwrap();
+        let version = said.strip_prefix(&format!("crate {name} ")).unwrap();
+        // Cargo takes any that agrees in the first number, or in two after a 0.
+        let locked = locked(name);
         assert!(
-            made.files.iter().all(|file| !file.bytes.is_empty()),
-            "{name}"
+            locked.starts_with(&format!("{version}.")),
+            "{said}: {locked}"
+        );
+        let parts = version.split('.').count();
+        assert_eq!(
+            parts,
+            if version.starts_with("0.") { 2 } else { 1 },
+            "{said}"
         );
     }
 }
@@ -332,54 +207,6 @@ fn tool(name: &str) -> bool {
         eprintln!("SKIPPED: no {name} on PATH");
     }
     there
-}
-
-#[test]
-fn compilers_take_the_files() {
-    let folder = tempfile::tempdir().unwrap();
-    let at = |name: &str| folder.path().join(name);
-    let run = |program: &str, arguments: &[&str]| {
-        if !tool(program) {
-            return;
-        }
-        let done = Command::new(program)
-            .args(arguments)
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&done.stderr).into_owned();
-        assert!(done.status.success(), "{program} {arguments:?}: {said}");
-    };
-    for name in ["diffuse_sky", "everything", "lantern"] {
-        let (scene, needs) = scene(name);
-        for file in &stripped(&scene, &needs).files {
-            std::fs::write(at(&file.name), &file.bytes).unwrap();
-        }
-        run(
-            "spirv-val",
-            &["--target-env", "vulkan1.1", &format!("{name}.spv")],
-        );
-        std::fs::write(
-            at("main.c"),
-            format!("#include \"{name}.h\"\nint main(void) {{ return 0; }}\n"),
-        )
-        .unwrap();
-        run(
-            "cc",
-            &["-std=c11", "-Wall", "-Werror", "-pedantic", "-c", "main.c"],
-        );
-        let module = format!("{name}.rs");
-        run(
-            "rustc",
-            &[
-                "--crate-type=lib",
-                "--edition=2021",
-                "-Dwarnings",
-                "--crate-name=made",
-                &module,
-            ],
-        );
-    }
 }
 
 #[test]
@@ -403,6 +230,19 @@ fn the_optimiser_is_recorded_and_its_module_linted() {
     );
     assert_ne!(made.spirv, plain.spirv);
     assert!(describe(&made.spirv).is_ok());
+    // The file, its entry and what was linted are the module after the optimiser.
+    let report = lint(&made.spirv, &exact_policy()).unwrap();
+    assert!(report.is_clean(), "{:?}", report.violations);
+    let bytes: Vec<u8> = made.spirv.iter().flat_map(|w| w.to_le_bytes()).collect();
+    assert_eq!(made.files[0].bytes, bytes);
+    let entry = &manifest["files"][0];
+    assert_eq!(entry["checked"], "compiled by glslang, linted");
+    assert_eq!(entry["bytes"], bytes.len());
+    let hash: String = Sha256::digest(&bytes)
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    assert_eq!(entry["sha256"], hash);
 }
 
 #[test]

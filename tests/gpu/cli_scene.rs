@@ -1,24 +1,18 @@
 //! `corput scene` as its user meets it.
 
-use std::process::{Command, Output};
+mod desk;
+mod support;
 
-fn corput(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_corput"))
-        .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .expect("corput runs")
-}
+use desk::{Desk, repository};
 
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
+fn asked(options: &str, scene: &str) -> String {
+    let path = repository("tests/data/scenes").join(scene);
+    Desk::new().say(&format!("scene {options} {}", path.display()))
 }
 
 #[test]
 fn the_table_says_what_is_drawn_and_why() {
-    let run = corput(&["scene", "tests/data/scenes/diffuse_sky.toml"]);
-    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
-    let said = text(&run.stdout);
+    let said = asked("", "diffuse_sky.toml");
     for part in [
         "diffuse_sky: 1024 samples of sobol:owen-hash, 4 dimensions",
         "light.environment",
@@ -30,14 +24,12 @@ fn the_table_says_what_is_drawn_and_why() {
     ] {
         assert!(said.contains(part), "{part} is not in:\n{said}");
     }
-    assert!(run.stderr.is_empty(), "{}", text(&run.stderr));
 }
 
 #[test]
 fn the_document_has_parameters_ranges_and_causes() {
-    let run = corput(&["scene", "--json", "tests/data/scenes/studio.glb"]);
-    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
-    let document: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
+    let said = asked("--json", "studio.glb");
+    let document: serde_json::Value = serde_json::from_str(&said).expect("JSON");
     assert_eq!(document["schema"], 1);
     assert_eq!(document["dimensions"], 11);
     let domains = document["domains"].as_array().expect("domains");
@@ -63,8 +55,7 @@ fn the_document_has_parameters_ranges_and_causes() {
 
 #[test]
 fn what_is_refused_says_where_and_exits_with_2() {
-    let desk = tempfile::tempdir().expect("a folder");
-    let path = desk.path().join("room.toml");
+    let desk = Desk::new();
     for (scene, parts) in [
         (
             "sampels = 4\n",
@@ -79,11 +70,9 @@ fn what_is_refused_says_where_and_exits_with_2() {
             &["1 dimension", "it has 2"],
         ),
     ] {
-        std::fs::write(&path, scene).expect("a scene");
-        let run = corput(&["scene", &path.to_string_lossy()]);
-        assert_eq!(run.status.code(), Some(2), "{scene}");
+        std::fs::write(desk.path("room.toml"), scene).expect("a scene");
+        let run = desk.run("scene room.toml");
+        run.expect(2, parts);
         assert!(run.stdout.is_empty());
-        let said = text(&run.stderr);
-        assert!(parts.iter().all(|part| said.contains(part)), "{said}");
     }
 }

@@ -1,33 +1,24 @@
 //! `corput strip` and `corput bench --scene` as their user meets them.
 
+mod desk;
 mod support;
 
+use desk::{Desk, Run, repository};
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
 use support::skips;
 
-fn corput(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_corput"))
-        .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .expect("corput runs")
+fn scene(name: &str) -> String {
+    let path = repository("tests/data/scenes").join(name);
+    path.display().to_string()
 }
 
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
+fn sky() -> String {
+    scene("diffuse_sky.toml")
 }
 
-fn succeeds(arguments: &[&str]) -> String {
-    let run = corput(arguments);
-    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
-    text(&run.stdout)
-}
-
-/// The files of a folder, sorted.
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
+/// The files of a folder on the desk, sorted.
+fn names(desk: &Desk, folder: &str) -> Vec<String> {
+    let entries = fs::read_dir(desk.path(folder)).unwrap();
     let mut names: Vec<String> = entries
         .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
         .collect();
@@ -35,17 +26,18 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-const SKY: &str = "tests/data/scenes/diffuse_sky.toml";
+fn text(desk: &Desk, name: &str) -> String {
+    String::from_utf8(desk.bytes(name)).unwrap()
+}
 
 #[test]
 fn a_scene_is_written_for_every_target() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("new/out");
-    let path = out.to_str().unwrap();
+    let desk = Desk::new();
     let all = "glsl,spirv,wgsl,hlsl,msl,c,rust,godot";
-    let said = succeeds(&["strip", SKY, "--out", path, "--target", all]);
+    let line = format!("strip {} --out new/out --target {all}", sky());
+    let said = desk.say(&line);
     assert_eq!(
-        names(&out),
+        names(&desk, "new/out"),
         [
             "diffuse_sky.environment.bin",
             "diffuse_sky.glsl",
@@ -67,26 +59,23 @@ fn a_scene_is_written_for_every_target() {
     ] {
         assert!(said.contains(part), "{part} is not in:\n{said}");
     }
-    let godot = fs::read_to_string(out.join("diffuse_sky.godot.glsl")).unwrap();
+    let godot = text(&desk, "new/out/diffuse_sky.godot.glsl");
     assert!(godot.starts_with("#[compute]\n#version 450\n"));
     // Once more into the same folder: the same bytes.
-    let before = fs::read(out.join("manifest.json")).unwrap();
-    succeeds(&["strip", SKY, "--out", path, "--target", all]);
-    assert_eq!(fs::read(out.join("manifest.json")).unwrap(), before);
+    let before = desk.bytes("new/out/manifest.json");
+    desk.say(&line);
+    assert_eq!(desk.bytes("new/out/manifest.json"), before);
 }
 
 #[test]
 fn points_need_no_scene() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().to_str().unwrap();
-    let points = ["strip", "--sampler", "halton", "--dims", "3"];
-    let written = ["--map", "cosine-hemisphere", "--out", path];
-    succeeds(&[&points[..], &written].concat());
-    let header = fs::read_to_string(folder.path().join("halton_cosine_hemisphere.h")).unwrap();
+    let desk = Desk::new();
+    desk.say("strip --sampler halton --dims 3 --map cosine-hemisphere --out .");
+    let header = text(&desk, "halton_cosine_hemisphere.h");
     for part in ["RECORD_WORDS 5u", "WORD_X2 4u", "SAMPLES_MOST 1024u"] {
         assert!(header.contains(part), "{part} is not in:\n{header}");
     }
-    let said = succeeds(&["strip", "--sampler", "sobol", "--json"]);
+    let said = desk.say("strip --sampler sobol --json");
     let document: serde_json::Value = serde_json::from_str(&said).unwrap();
     assert_eq!(document["stripped"]["bound_resources"], 1);
     assert!(document["speeds"].is_null());
@@ -94,16 +83,10 @@ fn points_need_no_scene() {
 
 #[test]
 fn the_report_says_what_was_left_out_and_timed() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("out/report.html");
-    let report = path.to_str().unwrap();
-    succeeds(&[
-        "strip",
-        "tests/data/scenes/diffuse_quad.toml",
-        "--report",
-        report,
-    ]);
-    let page = fs::read_to_string(&path).unwrap();
+    let desk = Desk::new();
+    let quad = scene("diffuse_quad.toml");
+    desk.ask(&format!("strip {quad} --report out/report.html"));
+    let page = text(&desk, "out/report.html");
     for part in [
         "diffuse_quad: what its kernel leaves out",
         "<td>SPIR-V bytes</td>",
@@ -121,9 +104,18 @@ fn scenes_are_measured_against_the_stock_kernels() {
     if skips() {
         return;
     }
-    let scene = "tests/data/scenes/diffuse_quad.toml";
-    let said = succeeds(&["bench", "--scene", scene, "--json"]);
+    let quad = scene("diffuse_quad.toml");
+    let desk = Desk::new();
+    let said = desk.ask(&format!("bench --scene {quad} --json"));
     let document: serde_json::Value = serde_json::from_str(&said).unwrap();
+    // The module that is measured is the one that is written, for GPUs or for CPUs.
+    let written = ["", "--cpu"].map(|option| {
+        desk.say(&format!("strip {quad} {option} --target spirv --out out"));
+        desk.bytes("out/diffuse_quad.spv").len() as u64
+    });
+    let measured = &document["scenes"][0]["stripped"]["spirv_bytes"];
+    let measured = measured.as_u64().unwrap();
+    assert!(written.contains(&measured), "{measured} of {written:?}");
     let speeds = &document["scenes"][0]["speeds"];
     for side in ["full", "stripped"] {
         assert!(
@@ -135,88 +127,122 @@ fn scenes_are_measured_against_the_stock_kernels() {
 
 #[test]
 fn what_cannot_be_is_refused_and_nothing_written() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("out");
-    let path = out.to_str().unwrap();
-    let broken = folder.path().join("broken.toml");
-    fs::write(&broken, "[camera]\nlense = 1\n").unwrap();
-    let broken = broken.to_str().unwrap();
-    for (arguments, words) in [
+    let desk = Desk::new();
+    fs::write(desk.path("broken.toml"), "[camera]\nlense = 1\n").unwrap();
+    let sky = sky();
+    for (line, words) in [
+        (format!("strip {sky} --target glls"), "did you mean `glsl`"),
         (
-            &["strip", SKY, "--target", "glls"][..],
-            "did you mean `glsl`",
-        ),
-        (
-            &["strip", SKY, "--sampler", "sobol"],
+            format!("strip {sky} --sampler sobol"),
             "--sampler beside a scene",
         ),
-        (&["strip"], "it takes a scene, or a sampler"),
-        (&["strip", broken], "line 2, column 1: unknown key `lense`"),
-        (&["strip", "--sampler", "sobl"], "did you mean `sobol`"),
+        ("strip".to_owned(), "it takes a scene, or a sampler"),
         (
-            &["strip", "--sampler", "sobol", "--dims", "1025"],
+            "strip broken.toml".to_owned(),
+            "line 2, column 1: unknown key `lense`",
+        ),
+        ("strip --sampler sobl".to_owned(), "did you mean `sobol`"),
+        (
+            "strip --sampler sobol --dims 1025".to_owned(),
             "at most 1024",
         ),
+        (format!("strip {sky} --device none"), "none"),
+        ("strip --sampler sobol --dims 99999".to_owned(), "99999"),
         (
-            &["strip", SKY, "--device", "no such device"],
-            "no such device",
-        ),
-        (&["strip", "--sampler", "sobol", "--dims", "99999"], "99999"),
-        (
-            &["strip", "--sampler", "sobol", "--samples", "4294967297"],
+            "strip --sampler sobol --samples 4294967297".to_owned(),
             "4294967297",
         ),
         (
-            &[
-                "strip",
-                "--sampler",
-                "sobol",
-                "--dims",
-                "1",
-                "--map",
-                "cone",
-                "--param",
-                "theta_max=0.1",
-            ],
+            "strip --sampler sobol --dims 1 --map cone --param theta_max=0.1".to_owned(),
             "more dimensions",
         ),
         (
-            &["strip", "--sampler", "sobol", "--map", "environment"],
+            "strip --sampler sobol --map environment".to_owned(),
             "named by a scene",
         ),
         (
-            &["strip", "--sampler", "sobol", "--param", "h=1"],
+            "strip --sampler sobol --param h=1".to_owned(),
             "only maps have parameters",
         ),
-        (
-            &["bench", "--scene", "tests/data/scenes/none.toml"],
-            "none.toml",
-        ),
+        ("bench --scene none.toml".to_owned(), "none.toml"),
     ] {
-        let mut all = arguments.to_vec();
-        if arguments[0] == "strip" {
-            all.extend(["--out", path]);
-        }
-        let run = corput(&all);
-        let said = text(&run.stderr);
-        assert_eq!(run.status.code(), Some(2), "{arguments:?}: {said}");
-        assert!(said.contains(words), "{arguments:?}: {said}");
-        assert!(!out.exists(), "{arguments:?} wrote something");
+        let out = if line.starts_with("strip") {
+            " --out out"
+        } else {
+            ""
+        };
+        desk.run(&format!("{line}{out}")).expect(2, &[words]);
+        assert_eq!(desk.names(), ["broken.toml"], "{line} wrote something");
     }
 }
 
 #[test]
 fn a_name_that_is_taken_leaves_all_as_it_was() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path();
+    let desk = Desk::new();
     // The module's name is that of a folder.
-    fs::create_dir(out.join("diffuse_sky.spv")).unwrap();
-    fs::write(out.join("diffuse_sky.glsl"), "mine").unwrap();
-    let run = corput(&["strip", SKY, "--out", out.to_str().unwrap()]);
-    assert_eq!(run.status.code(), Some(2), "{}", text(&run.stderr));
-    assert_eq!(names(out), ["diffuse_sky.glsl", "diffuse_sky.spv"]);
-    assert_eq!(
-        fs::read_to_string(out.join("diffuse_sky.glsl")).unwrap(),
-        "mine"
+    fs::create_dir(desk.path("diffuse_sky.spv")).unwrap();
+    fs::write(desk.path("diffuse_sky.glsl"), "mine").unwrap();
+    let line = format!("strip {} --out .", sky());
+    desk.run(&line).expect(2, &["diffuse_sky.spv"]);
+    assert_eq!(desk.names(), ["diffuse_sky.glsl", "diffuse_sky.spv"]);
+    assert_eq!(text(&desk, "diffuse_sky.glsl"), "mine");
+}
+
+/// A program that stands on PATH for the optimiser: it says its version, and otherwise does
+/// this.
+#[cfg(unix)]
+fn optimiser(desk: &Desk, does: &str) -> std::ffi::OsString {
+    use std::os::unix::fs::PermissionsExt;
+    let path = desk.path("bin/spirv-opt");
+    fs::create_dir_all(desk.path("bin")).unwrap();
+    let text = format!("#!/bin/sh\n[ \"$1\" = --version ] && echo made-up 1 && exit\n{does}\n");
+    fs::write(&path, text).unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    let known = std::env::var_os("PATH").unwrap_or_default();
+    let folders = std::iter::once(desk.path("bin")).chain(std::env::split_paths(&known));
+    std::env::join_paths(folders).unwrap()
+}
+
+#[cfg(unix)]
+#[test]
+fn what_an_optimiser_makes_is_linted_again() {
+    let desk = Desk::new();
+    // A root of the device's own outside the functions that may have one.
+    let native = "#version 450\nlayout(local_size_x = 64) in;\n\
+        layout(std430, set = 0, binding = 0) buffer Samples { float samples[]; };\n\
+        void main() { samples[0] = sqrt(samples[1]); }\n";
+    let words = corput::compile::to_spirv(native, &[], &mut |_| None).unwrap();
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    fs::write(desk.path("native.spv"), bytes).unwrap();
+    let line = format!(
+        "strip {} --target spirv --spirv-opt --out out",
+        scene("diffuse_quad.toml")
     );
+    let run = |does: &str| {
+        let path = optimiser(&desk, does);
+        let mut command = desk.command(&line);
+        command.env("PATH", path);
+        Run::of(&line, command)
+    };
+    for (does, words) in [
+        (
+            "cat >/dev/null; cat native.spv",
+            &["after it the linter refuses it", "Sqrt"][..],
+        ),
+        ("cat >/dev/null; printf four", &["after it"]),
+        (
+            "cat >/dev/null; echo no >&2; exit 1",
+            &["spirv-opt failed: no"],
+        ),
+    ] {
+        run(does).expect(2, words);
+        assert!(!desk.path("out").exists(), "{does}");
+    }
+    // The same module is fit.
+    run("cat").expect(0, &[]);
+    let manifest: serde_json::Value =
+        serde_json::from_slice(&desk.bytes("out/manifest.json")).unwrap();
+    assert_eq!(manifest["spirv_opt"]["version"], "made-up 1");
+    let bytes = desk.bytes("out/diffuse_quad.spv").len();
+    assert_eq!(manifest["spirv_opt"]["bytes_before"], bytes);
 }

@@ -82,7 +82,7 @@ pub struct Comparison {
 /// [`Error::Shader`] for words that are no module.
 pub fn sizes(needs: &Needs, program: &Program, words: &[u32]) -> Result<Comparison> {
     let full = full_size(needs)?;
-    let own = spirv(general_plan(needs).kernel.name)?;
+    let own = spirv(stock_points(needs).kernel.name)?;
     let mut any_bytes = full.modules.bytes - 4 * own.len();
     for family in FAMILIES {
         any_bytes += 4 * spirv(&format!("generate{}", family.suffix()))?.len();
@@ -161,7 +161,7 @@ fn stripped_size(program: &Program, words: &[u32]) -> Result<Size> {
 /// The general kernel of the points, and the kernel of every group of maps.
 fn full_size(needs: &Needs) -> Result<Size> {
     let mut size = Size::default();
-    let plan = general_plan(needs);
+    let plan = stock_points(needs);
     module(&mut size, plan.kernel.name, &spirv(plan.kernel.name)?)?;
     size.buffer_bytes = plan.table.map_or(0, |table| 4 * table.len() as u64);
     for mapping in needs.domains.iter().filter_map(|one| one.draw.mapping()) {
@@ -175,7 +175,10 @@ fn full_size(needs: &Needs) -> Result<Size> {
     Ok(size)
 }
 
-fn general_plan(needs: &Needs) -> Plan {
+/// The general kernel of the points that a scene draws by: it chooses bases, nets and scrambles
+/// of their family at run time.
+#[must_use]
+pub fn stock_points(needs: &Needs) -> Plan {
     general(&Work {
         columns: &needs.request.columns,
         first: needs.request.first,

@@ -65,7 +65,7 @@ pub(super) fn document(
     })
 }
 
-/// The crates' versions, as Cargo.toml asks for them.
+/// The crates' versions as Cargo.toml asks for them: which of those a build has is its own.
 const GLSLANG: &str = "crate glslang 0.9";
 const NAGA: &str = "crate naga 30";
 

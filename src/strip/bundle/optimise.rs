@@ -27,8 +27,8 @@ const PASSES: &[&str] = &[
     "--merge-blocks",
 ];
 
-/// A module after `spirv-opt`, of the native profile by its `-O`, decorated and linted again, and the line that names the
-/// program's version.
+/// A module after `spirv-opt`, of the native profile by its `-O`, decorated and linted again, and
+/// the line that names the program's version.
 pub(super) fn optimise(name: &str, words: &[u32], profile: Profile) -> Result<(Vec<u32>, String)> {
     let failed = |limit: String| Error::Arguments {
         asked: format!("--spirv-opt for {name}"),

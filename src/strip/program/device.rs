@@ -2,9 +2,10 @@
 
 use super::{Parameters, Program};
 use crate::catalog::Profile as Functions;
-use crate::compile::{check, to_spirv};
+use crate::compile::{check, to_spirv_lean};
 use crate::interface::Profile;
 use crate::scene::PUSH_BYTES;
+use crate::spirv::drop_local_names;
 use crate::vulkan::{Access, Buffer, Device, Pipeline, PipelineDescription, Timing};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -19,19 +20,33 @@ impl Program {
         }
     }
 
-    /// The module: SPIR-V 1.3 of the flattened text, every float result `NoContraction`, and
-    /// held to the rules of its profile.
+    /// The module as it is shipped: SPIR-V 1.3 of the flattened text, every float result
+    /// `NoContraction`, held to the rules of its profile, and without the names that serve a
+    /// debugger alone.
+    ///
+    /// # Errors
+    /// Those of [`Program::named`].
+    pub fn spirv(&self, text: &str) -> Result<Vec<u32>> {
+        let words = self.named(text)?;
+        drop_local_names(&words).map_err(|problem| self.wrong(problem.to_string()))
+    }
+
+    /// The same with the names of variables, which other languages take over.
     ///
     /// # Errors
     /// [`Error::Shader`] for what the compiler or the linter refuses, which is a defect of this
     /// crate.
-    pub fn spirv(&self, text: &str) -> Result<Vec<u32>> {
-        to_spirv(text, &[], &mut |_| None)
+    pub fn named(&self, text: &str) -> Result<Vec<u32>> {
+        to_spirv_lean(text)
             .and_then(|words| check(&words, self.rules()))
-            .map_err(|problem| Error::Shader {
-                shader: self.name.clone(),
-                problem,
-            })
+            .map_err(|problem| self.wrong(problem))
+    }
+
+    fn wrong(&self, problem: String) -> Error {
+        Error::Shader {
+            shader: self.name.clone(),
+            problem,
+        }
     }
 }
 
