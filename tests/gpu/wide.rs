@@ -150,9 +150,9 @@ fn kernels_without_an_alignment_begin_anywhere() {
 fn maps_take_their_points() {
     support::on_each_device(|device| {
         let mut options = Options::new(Sequence::Sobol, WORDS / 2);
-        let triangle = Map::from_name("triangle").expect("a map");
-        options.dimensions = Some(triangle.dimensions.into());
-        options.map = Some(Mapping::new(triangle, &[]).expect("its parameters"));
+        let sphere = Map::from_name("uniform-sphere").expect("a map");
+        options.dimensions = Some(sphere.dimensions.into());
+        options.map = Some(Mapping::new(sphere, &[]).expect("its parameters"));
         let request = Request::new(&options).expect("a request");
         let mut generator = Generator::new(device, &request).expect("a generator");
         for (start, points) in [(0, 4096), (64, 1000), (5, 1001)] {
