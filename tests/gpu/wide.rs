@@ -4,7 +4,7 @@
 mod support;
 
 use corput::bulk::Reference;
-use corput::catalog::{Options, Request, Scramble, Sequence};
+use corput::catalog::{Engine, Options, Request, Scramble, Sequence};
 use corput::kernels::Generator;
 use corput::vulkan::{Access, Buffer, Device, DeviceKind};
 use std::sync::Arc;
@@ -34,7 +34,9 @@ fn options(sequence: Sequence, scramble: Option<Scramble>, dimensions: u64) -> O
 
 fn expected(request: &Request, start: u64, points: u64) -> Vec<u32> {
     let mut words = vec![0; (points * u64::from(request.words_per_point())) as usize];
-    Reference::new(request).fill(start, &mut words);
+    Reference::new(request)
+        .fill(start, &mut words)
+        .unwrap_or_else(|error| panic!("{error}"));
     words
 }
 
