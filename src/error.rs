@@ -8,6 +8,7 @@
 mod exit_code;
 mod names;
 mod remedy;
+mod text;
 
 pub use names::nearest;
 pub use remedy::INSTALL_HINT;
@@ -15,6 +16,7 @@ pub use remedy::INSTALL_HINT;
 use names::list;
 use remedy::{io_remedy, vulkan_remedy};
 use std::path::PathBuf;
+use text::dimensions;
 
 /// `Result` with this crate's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -30,12 +32,7 @@ pub enum Error {
         what: &'static str,
     },
     /// Indices past the end of a sequence.
-    #[error(
-        "first + count = {first} + {count} = {} passes 2^32, the length of every sequence; \
-         lower --first or --count by {}",
-        u128::from(*first) + u128::from(*count),
-        u128::from(*first) + u128::from(*count) - (1u128 << 32)
-    )]
+    #[error("{}", text::index_range(*first, *count))]
     IndexRange {
         /// First index asked for.
         first: u64,
@@ -69,11 +66,7 @@ pub enum Error {
         base: u32,
     },
     /// More dimensions than a sequence has, or fewer.
-    #[error(
-        "{sequence} was asked for {asked} dimension{}; it has {}: {remedy}",
-        if *asked == 1 { "" } else { "s" },
-        if least == limit { limit.to_string() } else { format!("{least} to {limit}") }
-    )]
+    #[error("{sequence} was asked for {}; it has {}: {remedy}", dimensions(*asked), text::range(*least, *limit))]
     Dimensions {
         /// The sequence's name.
         sequence: &'static str,
@@ -87,11 +80,7 @@ pub enum Error {
         remedy: String,
     },
     /// A map that needs another number of dimensions.
-    #[error(
-        "map {map} takes {needed} dimension{} per point; {given} {} given: use --dims {needed}",
-        if *needed == 1 { "" } else { "s" },
-        if *given == 1 { "was" } else { "were" }
-    )]
+    #[error("map {map} takes {} per point; {}: use --dims {needed}", dimensions(u64::from(*needed)), text::given(*given))]
     MapDimensions {
         /// The map's name.
         map: &'static str,
@@ -259,11 +248,7 @@ pub enum Error {
         total: u64,
     },
     /// Stopped by a signal, with what was finished in a file.
-    #[error(
-        "interrupted after {done} of {total}, which {} keeps: the same command{} goes on from there",
-        path.display(),
-        if *fresh { " without --fresh" } else { "" }
-    )]
+    #[error("interrupted after {done} of {total}, which {} keeps: {} goes on from there", path.display(), text::again(*fresh))]
     Paused {
         /// Parts finished.
         done: u64,
@@ -410,14 +395,4 @@ pub enum Error {
         /// The compiler's or linter's words.
         problem: String,
     },
-}
-
-impl Error {
-    /// The message without the remedy that what follows makes wrong.
-    fn text_before_more(&self) -> String {
-        match self {
-            Self::Interrupted { done, total } => format!("interrupted after {done} of {total}"),
-            other => other.to_string(),
-        }
-    }
 }

@@ -91,9 +91,7 @@ type Opener = fn(&Path) -> Result<Texels, Fault>;
 fn opener(path: &Path) -> Opener {
     let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
     match ending.as_deref() {
-        Some("hdr" | "pic") => {
-            |path| radiance::read(&std::fs::read(regular(path)?).map_err(unopened)?)
-        }
+        Some("hdr" | "pic") => radiance::open,
         _ => open_exr,
     }
 }

@@ -96,8 +96,7 @@ impl Item<'_> {
         };
         let key = self.key(kept.keyed_by(device));
         let program = engine.program(&self.study, self.row, self.sampler)?;
-        let known = kept.line(&key, &program);
-        if let Some(line) = known.filter(|line| self.fits(&line.cell)) {
+        if let Some(line) = kept.line(&key, &program, |cell| self.fits(cell)) {
             return Ok(Measured {
                 device: line.device.clone().unwrap_or_else(|| device.to_owned()),
                 cell: line.cell.clone(),

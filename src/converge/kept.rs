@@ -14,7 +14,7 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 use std::collections::HashSet;
 use std::fs::{File, OpenOptions};
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Bytes of a file at most: those of cells by the thousand.
@@ -44,12 +44,12 @@ impl Kept {
             .create(true)
             .open(path);
         let mut file = opened.map_err(|error| unusable(path, &error))?;
-        let text = text(path, &mut file)?;
+        let text = text(&mut file).map_err(|problem| unread(path, problem))?;
         Self::of(path, file, &text, None)
     }
 
-    /// A file that is open for more, and what it holds; of cells that any device may measure
-    /// where a device is given, which is that of what is added.
+    /// A file that is open at its end for more, and what it holds; of cells that any device may
+    /// measure where a device is given, which is that of what is added.
     pub(super) fn of(
         path: &Path,
         mut file: File,
@@ -85,17 +85,26 @@ impl Kept {
     ///
     /// [`Engine::program`]: super::Engine::program
     pub fn get(&mut self, key: &str, program: &str) -> Option<Cell> {
-        self.line(key, program).map(|line| line.cell.clone())
+        self.line(key, program, |_| true)
+            .map(|line| line.cell.clone())
     }
 
-    /// The same as its line.
-    pub(super) fn line(&mut self, key: &str, program: &str) -> Option<&Line> {
+    /// The same as its line: the first whose cell fits.
+    pub(super) fn line(
+        &mut self,
+        key: &str,
+        program: &str,
+        fits: impl Fn(&Cell) -> bool,
+    ) -> Option<&Line> {
         self.used.insert(key.to_owned());
-        let mut found = self.lines.iter().filter(|line| line.key == key).peekable();
-        let known = found.peek().is_some();
-        let line = found.find(|line| line.program == program);
-        self.outdated += u64::from(known && line.is_none());
-        line
+        let known = self.lines.iter().any(|line| line.key == key);
+        let mut own = self
+            .lines
+            .iter()
+            .filter(|line| line.key == key && line.program == program)
+            .peekable();
+        self.outdated += u64::from(known && own.peek().is_none());
+        own.find(|line| fits(&line.cell))
     }
 
     /// How many cells were asked for that only other programs had measured.
@@ -149,14 +158,20 @@ impl Kept {
     }
 }
 
-/// What such a file holds. What was cut off may be no text.
-pub(super) fn text(path: &Path, file: &mut File) -> Result<String> {
-    let bytes = bounded_bytes(file, MOST).map_err(|problem| Error::Output {
+/// What such a file holds from where it is, or why it cannot be read. What was cut off may be no
+/// text.
+pub(super) fn text(file: impl Read) -> Result<String, String> {
+    let bytes = bounded_bytes(file, MOST)?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// The error of a file to be gone on with, which may hold hours of work.
+pub(super) fn unread(path: &Path, problem: String) -> Error {
+    Error::Output {
         path: path.to_owned(),
         problem,
-        remedy: "remove it, or choose another folder".into(),
-    })?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+        remedy: "move it elsewhere, or choose another folder".into(),
+    }
 }
 
 pub(super) fn unusable(path: &Path, error: &std::io::Error) -> Error {
@@ -247,6 +262,24 @@ mod tests {
         assert_eq!(left.get("b", "1"), Some(cell(0.2)));
         left.remove().unwrap();
         assert!(!path.exists());
+    }
+
+    #[test]
+    fn a_cell_that_does_not_fit_hides_none_that_does() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("cells.jsonl");
+        let mut kept = Kept::open(&path).unwrap();
+        kept.add("a", "1", &cell(0.1)).unwrap();
+        kept.add("a", "1", &cell(0.2)).unwrap();
+        let mean = |cell: &Cell| cell.points[0].means[0];
+        let mut found = |wanted: f64| {
+            Some(mean(
+                &kept.line("a", "1", |cell| mean(cell) == wanted)?.cell,
+            ))
+        };
+        assert_eq!(found(0.2), Some(0.2));
+        assert_eq!(found(0.3), None);
+        assert_eq!(kept.outdated(), 0);
     }
 
     #[test]

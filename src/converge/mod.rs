@@ -37,7 +37,7 @@ pub use kept::{Kept, key};
 pub use report::{check_folder, write};
 pub use results::{Results, SCHEMA, Setting};
 pub use series::Series;
-pub use shards::{Done, Gathered, Lacking, open_shard, run_shard};
+pub use shards::{Done, Gathered, Lacking, item_count, open_shard, run_shard};
 pub use statistics::{Interval, Statistic, fit, median, quantile, slope};
 pub use study::{Row, Settings, Study, rows};
 pub use summary::{Standing, comparable, standings};

@@ -20,7 +20,7 @@ pub const SCHEMA: &str = "corput-converge/2";
 pub struct Setting {
     /// The device with its driver; of shards all of them.
     pub device: String,
-    /// The command; of shards all of them, a line each.
+    /// The command; of shards those of all whose cells are taken, a line each.
     pub command: String,
     /// Numbers of points.
     pub counts: Vec<u64>,
@@ -30,7 +30,7 @@ pub struct Setting {
     pub seed: u64,
     /// Relative errors of which the time is asked.
     pub targets: Vec<f64>,
-    /// Shards that measured it apart; 1 of a single run.
+    /// Shards whose cells are taken; 1 of a single run.
     pub shards: u64,
 }
 

@@ -6,7 +6,10 @@
 //! bytes of all texels apart). A byte c with exponent e is (c + 1/2) 2^(e - 136), as Radiance
 //! decodes it, 0 for e = 0, and is divided by the product of all EXPOSURE lines.
 
-use super::{Fault, MAX_HEIGHT, MAX_WIDTH, fault};
+use super::{Fault, MAX_HEIGHT, MAX_WIDTH, NOT_SOUND, fault, regular, unopened};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
 
 /// A size of columns and rows, and texels as the file has them.
 pub type Texels = (usize, usize, Vec<[f32; 3]>);
@@ -15,6 +18,10 @@ const SAVE_ANEW: &str = "save it anew as Radiance RGBE with rows from the top (-
 const TRUNCATED: &str = "it ends too early: it is truncated";
 /// Longer headers are no headers.
 const MAX_HEADER: usize = 1 << 16;
+
+/// Bytes of a picture at most: a header with its last line, and rows of the largest size whose
+/// every byte is a run of its own.
+const MOST: u64 = (2 * MAX_HEADER + MAX_HEIGHT * (4 + 8 * MAX_WIDTH)) as u64;
 
 /// Bytes that are read one after the other.
 struct Bytes<'b> {
@@ -47,8 +54,23 @@ impl<'b> Bytes<'b> {
     }
 }
 
-/// Reads a Radiance picture.
-pub fn read(bytes: &[u8]) -> Result<Texels, Fault> {
+/// Reads the picture of a file.
+pub fn open(path: &Path) -> Result<Texels, Fault> {
+    let file = File::open(regular(path)?).map_err(unopened)?;
+    let length = file.metadata().map_err(unopened)?.len();
+    if length > MOST {
+        let problem = format!("it has {length} bytes; the limit is {MOST}");
+        return Err(fault(problem, SAVE_ANEW));
+    }
+    let mut bytes = Vec::new();
+    // It may grow meanwhile.
+    let taken = file.take(MOST).read_to_end(&mut bytes);
+    taken.map_err(|error| fault(format!("it cannot be read ({error})"), NOT_SOUND))?;
+    read(&bytes)
+}
+
+/// The same of its bytes.
+fn read(bytes: &[u8]) -> Result<Texels, Fault> {
     let mut bytes = Bytes { rest: bytes };
     if !bytes.rest.starts_with(b"#?") {
         return Err(fault(

@@ -56,7 +56,9 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// [`Error::Io`] if they cannot be written; what was there before is then as it was.
+    /// [`Error::Io`] if they cannot be written; what was there before is then as it was, unless it
+    /// was the folder that could not be synced: then the new ones may have their names already,
+    /// and may lose them when the power fails.
     pub fn finish_described(self, bytes: &[u8], form: &Form, origin: &Origin) -> Result<()> {
         let Place::Aside(mut aside) = self.place else {
             return self.finish(bytes);

@@ -14,8 +14,9 @@ pub fn run(args: &ConvergeArgs, study: &Study, shard: Shard, folder: &Path) -> a
     let (engine, device, instance) = engine(args)?;
     let command = host::command();
     let mut kept = converge::open_shard(folder, study, shard, [&command, &device], args.fresh)?;
-    let total = (0..study.cells() as u64).filter(|cell| shard.is_dealt(*cell));
-    let done = watched(total.count() as u64, |watch| {
+    let all = converge::item_count(study)?;
+    let own = (0..all).filter(|item| shard.is_dealt(*item)).count();
+    let done = watched(own as u64, |watch| {
         converge::run_shard(&engine, study, shard, &device, &mut kept, watch)
     });
     if let Some(line) = outdated(&kept) {
@@ -27,8 +28,8 @@ pub fn run(args: &ConvergeArgs, study: &Study, shard: Shard, folder: &Path) -> a
     }
     if done.is_empty() {
         eprintln!(
-            "corput: shard {shard} is empty: the study has {} cells, which other shards measure",
-            study.cells()
+            "corput: shard {shard} is empty: the study has {}, which other shards measure",
+            cells(all as usize)
         );
     }
     let missing = missing(folder);

@@ -2,17 +2,21 @@
 
 use super::description::{describe, difference, restore};
 use crate::catalog::Shard;
-use crate::converge::kept::{Kept, text, unusable};
+use crate::converge::kept::{Kept, text, unread, unusable};
 use crate::converge::study::Study;
 use crate::report::{create_folder, try_lock};
 use crate::{Error, Result};
 use serde_json::{Value, json};
 use std::fs::{File, OpenOptions};
-use std::io::Write;
+use std::io::{BufRead, BufReader, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// Name and version of the form of the first line.
 const SCHEMA: &str = "corput-cells/1";
+
+/// Bytes of a first line at most that another shard's file is asked for: those of integrands by
+/// the ten thousand.
+const HEAD: u64 = 64 << 20;
 
 /// The first line of a file, read.
 pub(super) struct Head {
@@ -45,8 +49,10 @@ impl Head {
 /// [`run_shard`]: super::run_shard
 ///
 /// # Errors
-/// [`Error::Output`] where it cannot be read or written, is being written by another run, or has
-/// cells of another study; [`Error::Arguments`] for a study that no document can describe.
+/// [`Error::Output`] where it cannot be read or written, is being written by another run, has
+/// cells of another study, or is no such file; [`Error::Document`] where another shard's file in
+/// the folder is of another study or is none, since the two would never merge;
+/// [`Error::Arguments`] for a study that no document can describe.
 pub fn open_shard(
     folder: &Path,
     study: &Study,
@@ -58,10 +64,13 @@ pub fn open_shard(
     restore(&described)?;
     create_folder(folder, "--report")?;
     let path = path_of(folder, shard);
+    check_others(folder, &path, &described)?;
+    // Not to append: Windows lets such a file not be cut.
     let opened = OpenOptions::new()
         .read(true)
-        .append(true)
+        .write(true)
         .create(true)
+        .truncate(false)
         .open(&path);
     let mut file = opened.map_err(|error| unusable(&path, &error))?;
     let refused = |problem: String, remedy: &str| Error::Output {
@@ -76,7 +85,7 @@ pub fn open_shard(
     if fresh {
         file.set_len(0).map_err(|error| unusable(&path, &error))?;
     }
-    let mut found = text(&path, &mut file)?;
+    let mut found = text(&mut file).map_err(|problem| unread(&path, problem))?;
     match Head::of(&found) {
         None => {
             let head = json!({
@@ -85,6 +94,14 @@ pub fn open_shard(
                 "command": command,
                 "study": described,
             });
+            let head = format!("{head}\n");
+            // One that a killed run has left half is no line; anything else is not ours to cut.
+            if !head.starts_with(&found) {
+                return Err(refused(
+                    "its first line has no end, and was not begun by this command".into(),
+                    "move it, or give another folder, or --fresh to discard it",
+                ));
+            }
             begin(&mut file, &head).map_err(|error| unusable(&path, &error))?;
             found.clear();
         }
@@ -101,10 +118,44 @@ pub fn open_shard(
     Kept::of(&path, file, &found, Some(device.to_owned()))
 }
 
-/// Writes the first line. One that a killed run has left half is no line.
-fn begin(file: &mut File, head: &Value) -> std::io::Result<()> {
+/// Refuses a folder where another shard has begun another study. Of two that begin at once
+/// neither may see the other: what they keep is compared again when it is merged.
+fn check_others(folder: &Path, own: &Path, study: &Value) -> Result<()> {
+    let found = files(folder).map_err(|error| unusable(folder, &error))?;
+    for (_, path) in found.into_iter().filter(|(_, path)| path != own) {
+        // One that only its writer may read now is read when all are merged.
+        let Ok(line) = File::open(&path).and_then(first_line) else {
+            continue;
+        };
+        let problem = match Head::of(&line) {
+            None => continue,
+            Some(Err(problem)) => problem,
+            Some(Ok(head)) => match difference(&head.study, study) {
+                None => continue,
+                Some(difference) => format!("it has cells of another study: {difference}"),
+            },
+        };
+        return Err(Error::Document {
+            path,
+            problem,
+            remedy: "give the arguments of that study or another folder, or move that file elsewhere",
+        });
+    }
+    Ok(())
+}
+
+/// With its end, where it has one.
+fn first_line(file: File) -> std::io::Result<String> {
+    let mut line = Vec::new();
+    BufReader::new(file.take(HEAD)).read_until(b'\n', &mut line)?;
+    Ok(String::from_utf8_lossy(&line).into_owned())
+}
+
+/// Writes the first line.
+fn begin(file: &mut File, head: &str) -> std::io::Result<()> {
     file.set_len(0)?;
-    file.write_all(format!("{head}\n").as_bytes())?;
+    file.rewind()?;
+    file.write_all(head.as_bytes())?;
     file.sync_all()
 }
 

@@ -10,7 +10,7 @@ use crate::converge::results::{Results, Setting};
 use crate::converge::study::Study;
 use crate::{Error, Result};
 use serde_json::Value;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
@@ -23,6 +23,7 @@ pub struct Gathered {
     study: Study,
     /// Shards of which there are files; if several numbers of them were tried, the largest.
     shards: u64,
+    /// Of the shards whose cells are taken.
     commands: Vec<String>,
     /// In the order of the study's items, with their names.
     cells: Vec<(String, Option<Measured>)>,
@@ -38,10 +39,16 @@ pub struct Lacking {
 }
 
 /// Files that were read, and lines that name what they measured.
+#[derive(Default)]
 struct Lines {
-    paths: Vec<PathBuf>,
+    /// Their paths, and the commands that made them.
+    files: Vec<(PathBuf, String)>,
     /// By key, in the order of files and lines: the file's number, and the line.
     by_key: HashMap<String, Vec<(usize, Line)>>,
+    /// Keys of the study's items.
+    asked: HashSet<String>,
+    /// Numbers of the files of which a line was taken.
+    taken: HashSet<usize>,
 }
 
 impl Gathered {
@@ -67,14 +74,10 @@ impl Gathered {
         let found = files(folder).map_err(|error| refused(folder, error.to_string()))?;
         let shards = found.last().map_or(1, |(shard, _)| shard.parts().1);
         let mut first: Option<(PathBuf, Value)> = None;
-        let mut commands = Vec::new();
-        let mut lines = Lines {
-            paths: Vec::new(),
-            by_key: HashMap::new(),
-        };
+        let mut lines = Lines::default();
         for (_, path) in found {
             let file = File::open(&path).map_err(|error| refused(&path, error.to_string()));
-            let text = text(&path, &mut file?)?;
+            let text = text(file?).map_err(|problem| refused(&path, problem))?;
             // One that is just being begun has none.
             let Some(head) = Head::of(&text) else {
                 continue;
@@ -86,8 +89,7 @@ impl Gathered {
                 let problem = format!("it has cells of another study than {of}: {difference}");
                 return Err(refused(&path, problem));
             }
-            commands.push(head.command);
-            lines.add(path, &text);
+            lines.add(path, head.command, &text);
         }
         let Some((_, study)) = first else {
             return Err(refused(folder, "no shard has kept a cell in it".into()));
@@ -97,15 +99,15 @@ impl Gathered {
         for item in items(&study)? {
             cells.push((item.name(), lines.take(&item)?));
         }
-        if let Some((file, _)) = lines.by_key.into_values().flatten().next() {
+        if let Some(path) = lines.foreign() {
             let problem = "it has a cell that is none of its study's".to_owned();
-            return Err(refused(&lines.paths[file], problem));
+            return Err(refused(path, problem));
         }
         Ok(Self {
             folder: folder.to_owned(),
             study,
             shards,
-            commands,
+            commands: lines.commands(),
             cells,
         })
     }
@@ -136,8 +138,8 @@ impl Gathered {
             .collect()
     }
 
-    /// The results, as one run has them; times are those of each shard. `command` is what made
-    /// them of the shards'.
+    /// The results, as one run has them; times are those of each shard. Shards of which no cell is
+    /// taken are not counted. `command` is what made them of the shards'.
     ///
     /// # Errors
     /// [`Error::Unmeasured`] where cells are not there.
@@ -170,30 +172,51 @@ impl Gathered {
 }
 
 impl Lines {
+    /// The first file with a line that no item asked for.
+    fn foreign(&self) -> Option<&Path> {
+        let others = self
+            .by_key
+            .iter()
+            .filter(|(key, _)| !self.asked.contains(*key));
+        let file = others.flat_map(|(_, lines)| lines).map(|(file, _)| *file);
+        Some(&self.files[file.min()?].0)
+    }
+
+    /// The commands of the files of which lines were taken, in their order.
+    fn commands(self) -> Vec<String> {
+        let files = self.files.into_iter().enumerate();
+        let taken = files.filter(|(file, _)| self.taken.contains(file));
+        taken.map(|(_, (_, command))| command).collect()
+    }
+
     /// All lines of a file that are complete.
-    fn add(&mut self, path: PathBuf, text: &str) {
-        let file = self.paths.len();
-        self.paths.push(path);
+    fn add(&mut self, path: PathBuf, command: String, text: &str) {
+        let file = self.files.len();
+        self.files.push((path, command));
         for line in text.lines().filter_map(Line::read) {
             let same = self.by_key.entry(line.key.clone()).or_default();
             same.push((file, line));
         }
     }
 
-    /// The first line of an item that this version measured.
+    /// The first line of an item that this version measured. Items of two names for one
+    /// integrand have the same.
     fn take(&mut self, item: &Item) -> Result<Option<Measured>> {
-        let lines = self.by_key.remove(&item.key(None)).unwrap_or_default();
+        let key = item.key(None);
+        let lines = self.by_key.get(&key).map_or(&[][..], Vec::as_slice);
+        self.asked.insert(key);
         let programs = [true, false].map(|cpu| item.program(cpu));
         let [cpu, other] = programs;
         let programs = [cpu?, other?];
         let mut foreign = None;
         for (file, line) in lines {
             if !programs.contains(&line.program) {
-                foreign = Some((file, line.program));
+                foreign = Some((*file, &line.program));
             } else if item.fits(&line.cell) {
+                self.taken.insert(*file);
                 return Ok(Some(Measured {
-                    device: line.device.unwrap_or_default(),
-                    cell: line.cell,
+                    device: line.device.clone().unwrap_or_default(),
+                    cell: line.cell.clone(),
                     anew: false,
                 }));
             }
@@ -201,7 +224,7 @@ impl Lines {
         match foreign {
             None => Ok(None),
             Some((file, program)) => Err(Error::Document {
-                path: self.paths[file].clone(),
+                path: self.files[file].0.clone(),
                 problem: format!(
                     "`{}` was measured by program {program}, and this is {}",
                     item.name(),

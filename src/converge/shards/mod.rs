@@ -26,6 +26,15 @@ pub struct Done {
     pub anew: bool,
 }
 
+/// How many items a study has for its shards: its cells, and a reference for each integrand whose
+/// integral is not known.
+///
+/// # Errors
+/// Those of a reference that cannot be: [`Error::Arguments`](crate::Error::Arguments).
+pub fn item_count(study: &Study) -> Result<u64> {
+    Ok(items(study)?.len() as u64)
+}
+
 /// Measures the cells of a shard on a device, whose name and driver `device` has. Those that
 /// [`open_shard`] found are taken, whatever device measured them; new ones are kept as soon as
 /// they are finished.

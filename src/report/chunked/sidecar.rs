@@ -181,15 +181,8 @@ pub(in crate::report) fn check_free(sidecar: &Path) -> Result<()> {
 
 /// Whether a file of that name is there that no `generate` wrote.
 fn is_of_others(path: &Path) -> bool {
-    let Ok(found) = std::fs::metadata(path) else {
-        return false;
-    };
-    let text = match found.len() {
-        0..=MAX_BYTES => std::fs::read(path).unwrap_or_default(),
-        _ => return true,
-    };
-    let value: Option<Value> = serde_json::from_slice(&text).ok();
-    value.is_none_or(|value| value.get("arguments").is_none())
+    let found = || read_json(path, MAX_BYTES, REMEDY);
+    path.exists() && found().map_or(true, |value| value.get("arguments").is_none())
 }
 
 /// What a run must share with an earlier one to go on from it.

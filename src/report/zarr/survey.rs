@@ -153,6 +153,7 @@ impl Store {
         let damaged = hexadecimal(&hash.finalize()) != recorded;
         Ok(damaged.then_some(Fault::Damaged))
     }
+
     /// The file of a chunk, if it is there and as long as it must be.
     pub(super) fn file(&self, chunk: u64) -> Result<Result<File, Fault>> {
         let path = self.chunk(chunk);

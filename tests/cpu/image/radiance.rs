@@ -205,3 +205,19 @@ fn no_damage_makes_the_reader_panic() {
         assert!(read > 100 && refused > 100);
     }
 }
+
+#[test]
+fn pictures_longer_than_the_largest_are_not_read() {
+    let folder = Folder::new();
+    let path = folder.bytes("long.hdr", &file(&header(), flat));
+    // Rows of 8192 texels whose every byte is a run, 4096 times, and headers.
+    let most = (1 << 17) + 4096 * (4 + 8 * 8192);
+    let longer = |length| {
+        let file = std::fs::OpenOptions::new().write(true).open(&path).unwrap();
+        file.set_len(length).unwrap();
+    };
+    longer(most + 1);
+    refused(&path, &["it has 268582913 bytes; the limit is 268582912"]);
+    longer(1 << 20);
+    assert!(load(&path).is_ok());
+}
