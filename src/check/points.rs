@@ -14,7 +14,8 @@ use std::sync::Arc;
 pub struct Case {
     /// What the row is called.
     pub name: String,
-    /// `generate`, `tile`, `fused`, or `map` for a map in a kernel of its own.
+    /// `generate`, `tile`, `large` for the kernel that many points get, `fused`, or `map` for a map
+    /// in a kernel of its own.
     pub kernel: &'static str,
     /// The points, all of the sequence where it has no end of its own.
     pub request: Request,

@@ -42,7 +42,7 @@ pub fn fill(generator: &mut Generator, sink: &mut Sink, bar: &ProgressBar) -> Re
     if wish == Wish::Off {
         return Ok(());
     }
-    let rows = sink.layout().rows;
+    let (rows, begun) = (sink.layout().rows, sink.rows());
     let refusal = generator.write_windows(sink, &mut |points| {
         interrupt::stop(bar.position(), rows)?;
         bar.inc(points);
@@ -51,6 +51,13 @@ pub fn fill(generator: &mut Generator, sink: &mut Sink, bar: &ProgressBar) -> Re
     match refusal {
         Some(refusal) if wish == Wish::Require => Err(refusal),
         // What is wrong with a device, if it is more than that, the copy will say.
+        Some(refusal) if sink.rows() > begun => {
+            eprintln!(
+                "corput: warning: from row {} on the file is copied to: {refusal}",
+                sink.rows()
+            );
+            Ok(())
+        }
         _ => Ok(()),
     }
 }

@@ -100,7 +100,8 @@ impl Generator {
     }
 
     /// A request that one kernel serves, with other SPIR-V of the same interface: how tests
-    /// run broken kernels.
+    /// run broken kernels. Points at an index that the plan does not allow come from a stock
+    /// kernel all the same.
     ///
     /// # Errors
     /// Those of the device.

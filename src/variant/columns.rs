@@ -106,7 +106,7 @@ pub(super) fn padded(mut words: Vec<u32>) -> Vec<u32> {
     words
 }
 
-/// Points that an invocation makes in a row at most.
+/// Points that an invocation makes in a row at most; of those that it stores it makes fewer.
 pub const LONGEST_RUN: u32 = 240;
 
 /// Points that an invocation may make in a row, a multiple of 8: as many as the column's

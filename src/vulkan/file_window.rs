@@ -64,6 +64,29 @@ impl FileWindow {
         &self.device
     }
 
+    /// Lets go of the file, after which it has what the device wrote.
+    ///
+    /// # Errors
+    /// [`Error::Arguments`](crate::Error::Arguments) where something may still write there: work
+    /// that was given a slice, or a device that has not ended in time. The memory then stays
+    /// mapped until that is over.
+    pub fn close(self) -> Result<()> {
+        let Self {
+            device,
+            main,
+            bytes,
+        } = self;
+        let alone = Arc::into_inner(main).map(drop).is_some();
+        if alone && !device.is_hung() {
+            return Ok(());
+        }
+        Err(refused(
+            format!("to close a window of {bytes} bytes of a file"),
+            "work that may still write there has not ended",
+            "wait for its submissions first, and drop their slices",
+        ))
+    }
+
     /// The memory, which work in flight may still use.
     pub(super) fn memory(&self) -> Arc<Block> {
         Arc::clone(&self.main)

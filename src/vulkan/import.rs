@@ -148,6 +148,11 @@ impl Block {
 
 /// The extension, where buffers can have memory by it.
 pub(super) fn offered(device: &Device, bytes: u64) -> Result<&Import> {
+    let most = device.info().limits.max_storage_buffer_range;
+    if bytes > most {
+        let limit = format!("binds at most {most} bytes at once");
+        return Err(refused_by(device, bytes, &limit));
+    }
     let limit = match &device.import {
         Some(import) if import.can => return Ok(import),
         Some(_) => "imports no memory of the host for storage buffers",

@@ -65,10 +65,12 @@ pub fn open_shard(
     create_folder(folder, "--report")?;
     let path = path_of(folder, shard);
     check_others(folder, &path, &described)?;
-    // Not to append: Windows lets such a file not be cut.
+    // Two runs that no lock keeps apart, on file systems without, append line after line. Windows
+    // lets such a file not be cut.
     let opened = OpenOptions::new()
         .read(true)
         .write(true)
+        .append(cfg!(unix))
         .create(true)
         .truncate(false)
         .open(&path);

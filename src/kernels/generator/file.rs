@@ -58,8 +58,7 @@ impl Generator {
                 Ok(())
             });
             // What it holds is in the file only when it is let go of.
-            drop(window);
-            made?;
+            made.and_then(|()| window.close())?;
             sink.take(extent)?;
         }
         Ok(None)

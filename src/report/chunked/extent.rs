@@ -19,7 +19,8 @@ const LEAST: u64 = 1 << 20;
 /// Space on the disk for rows of a file: whole pages of it but for the last, in which every word
 /// of the rows has its 4 bytes.
 ///
-/// While there is one the file is not made shorter.
+/// While there is one the file is not made shorter: a sink that is abandoned before it is dropped
+/// keeps its partial file whole, and locked for as long as the process lives. Drop it first.
 #[derive(Debug)]
 pub struct Extent {
     pub(super) file: Arc<File>,

@@ -1,6 +1,6 @@
 //! Extents of the file, for whoever writes words in place.
 
-use super::super::allocate::allocate;
+use super::super::allocate::{allocate, keeps_space};
 use super::super::extent::{Extent, extent_from};
 use super::super::pipeline::Role;
 use super::{Chunked, failed};
@@ -13,6 +13,9 @@ impl Chunked {
         let Some((offset, bytes, rows)) = extent_from(&self.encoder, self.rows, row) else {
             return Ok(None);
         };
+        if !keeps_space(&self.file) {
+            return Ok(None);
+        }
         let reserved = allocate(&self.file, offset, bytes);
         let reserved = reserved.map_err(|source| failed("write", &self.asked, source))?;
         Ok(reserved.then(|| Extent {
