@@ -186,7 +186,7 @@ fn equals_stock(device: &Arc<Device>, case: &Case) {
 
 /// SwiftShader takes minutes to compile modules of more bytes than this: the time grows faster
 /// than they do.
-const LARGE: usize = 100_000;
+const LARGE: usize = 75_000;
 
 /// The domains of a case one by one, each with the text that it has in the whole, where a driver
 /// cannot be asked to compile that.
