@@ -26,6 +26,7 @@ pub fn run(args: &StripArgs) -> anyhow::Result<()> {
     let targets = targets(args)?;
     let options = BundleOptions {
         cpu: args.cpu,
+        int64: args.int64,
         spirv_opt: args.spirv_opt,
     };
     let made = bundle(&scene, &needs, &targets, options)?;

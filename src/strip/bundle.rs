@@ -32,6 +32,9 @@ pub struct File {
 pub struct BundleOptions {
     /// For CPU drivers: see [`Options::cpu`].
     pub cpu: bool,
+    /// For those with integers of 64 bits: see [`Options::int64`]. Targets without push constants
+    /// are without them.
+    pub int64: bool,
     /// Runs `spirv-opt` of SPIR-V Tools on the module, which is linted again; without inlining
     /// in the exact profile, whose rules go by functions.
     pub spirv_opt: bool,
@@ -149,6 +152,7 @@ impl Own {
         let options = Options {
             parameters: Parameters::Push,
             cpu: asked.cpu,
+            int64: asked.int64,
         };
         let program = program(name, needs, options)?;
         let flat = program.flat(false)?;

@@ -13,3 +13,4 @@ pub use estimate::{
     general_estimate, longest_estimate, plan_estimate, plan_pixels, replan_estimate,
 };
 pub use plan::{FusedMap, Plan, Work, general, plan};
+pub use wide::is_short;

@@ -79,7 +79,8 @@ fn short_words(column: &Column, end: u64) -> Vec<u32> {
 const NET_HEAD: usize = 6;
 
 /// Whether a coordinate takes so few instructions that stores are what counts.
-fn is_short(column: &Column) -> bool {
+#[must_use]
+pub fn is_short(column: &Column) -> bool {
     match column {
         Column::Reversed | Column::Grid(_) | Column::Additive { .. } => true,
         Column::Sobol { scramble, .. } => *scramble != NetScramble::Owen,

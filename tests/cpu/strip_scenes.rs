@@ -14,6 +14,7 @@ use corput::catalog::Sampler;
 use corput::kernels::spirv;
 use corput::scene::{Needs, Scene, parse, read};
 use corput::spirv::{describe, drop_local_names, exact_policy, lint};
+use corput::strip::program::Form;
 use corput::strip::{Bundle, BundleOptions, TARGETS, Target, bundle};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -68,6 +69,38 @@ fn modules_are_within_their_budgets() {
             bytes > budget * 8 / 10,
             "{name} has {bytes} bytes: lower its budget of {budget}"
         );
+    }
+}
+
+/// In every form and for all of their points, where the first two dimensions have no directions in
+/// the text.
+#[test]
+fn sobol_points_are_a_quarter_of_the_general_kernel_in_every_form() {
+    for sampler in ["sobol", "sobol:owen-hash"] {
+        let mut scene = Scene::new("points").unwrap();
+        scene.sampler.value = Sampler::parse(sampler).unwrap();
+        scene.samples.value = 1 << 32;
+        let needs = Needs::of_points(&scene, 2, None).unwrap();
+        let general = spirv(stock_points(&needs).kernel.name).unwrap().len();
+        for (cpu, int64, form) in [
+            (false, false, Form::Four),
+            (true, false, Form::Four),
+            (true, true, Form::Eight),
+        ] {
+            let options = BundleOptions {
+                cpu,
+                int64,
+                ..BundleOptions::default()
+            };
+            let made = bundle(&scene, &needs, &[Target::Spirv], options).unwrap();
+            assert_eq!(made.program.form, form);
+            assert_eq!(describe(&made.spirv).unwrap().bindings, [(0, 0)]);
+            let words = made.spirv.len();
+            assert!(
+                4 * words <= general,
+                "{sampler} {form:?}: {words} of {general}"
+            );
+        }
     }
 }
 

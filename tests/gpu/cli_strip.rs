@@ -82,6 +82,29 @@ fn points_need_no_scene() {
 }
 
 #[test]
+fn points_for_cpus_are_stored_eight_words_at_a_time() {
+    let desk = Desk::new();
+    desk.say("strip --sampler sobol --cpu --int64 --out .");
+    assert!(text(&desk, "sobol.glsl").contains("u64vec4 samples[]"));
+    let header = text(&desk, "sobol.h");
+    for part in ["RUN 16u", "SAMPLES_MULTIPLE 16u", "FIRST_MULTIPLE 16u"] {
+        assert!(header.contains(part), "{part} is not in:\n{header}");
+    }
+    let manifest = desk.bytes("manifest.json");
+    let manifest: serde_json::Value = serde_json::from_slice(&manifest).unwrap();
+    assert_eq!(manifest["samples_multiple"], 16);
+    assert_eq!(manifest["first_multiple"], 16);
+    // Scenes with maps stay as they are.
+    let scene = scene("diffuse_quad.toml");
+    desk.say(&format!("strip {scene} --cpu --out four"));
+    desk.say(&format!("strip {scene} --cpu --int64 --out eight"));
+    assert_eq!(
+        desk.bytes("four/diffuse_quad.spv"),
+        desk.bytes("eight/diffuse_quad.spv")
+    );
+}
+
+#[test]
 fn the_report_says_what_was_left_out_and_timed() {
     let desk = Desk::new();
     let quad = scene("diffuse_quad.toml");
@@ -164,6 +187,7 @@ fn what_cannot_be_is_refused_and_nothing_written() {
             "strip --sampler sobol --param h=1".to_owned(),
             "only maps have parameters",
         ),
+        (format!("strip {sky} --int64"), "--cpu"),
         ("bench --scene none.toml".to_owned(), "none.toml"),
     ] {
         let out = if line.starts_with("strip") {

@@ -220,6 +220,7 @@ fn the_text_for_godot_draws_the_words_of_the_reference() {
     let options = Options {
         parameters: Parameters::Uniform,
         cpu: false,
+        int64: false,
     };
     let program = program("diffuse_sky", &needs, options).unwrap();
     let words = program.spirv(glsl).unwrap();

@@ -5,14 +5,14 @@
 mod corpus;
 mod support;
 
-use corpus::{Case, every_map, files, samplers};
+use corpus::{Case, bare, every_map, files, samplers};
 use corput::bench::scene::verify;
 use corput::bulk::SceneReference;
 use corput::catalog::{Engine, Output, Profile, Request};
 use corput::interface::task;
 use corput::kernels::{Generator, Mapper};
 use corput::scene::{Choice, Domain, Draw, Record, Span};
-use corput::strip::program::{Options, Parameters, Program, Sampler, program};
+use corput::strip::program::{Form, Options, Parameters, Program, Sampler, program};
 use corput::vulkan::Device;
 use std::sync::Arc;
 use std::time::Instant;
@@ -42,7 +42,7 @@ fn difference(device: &Arc<Device>, case: &Case, options: Options) -> Option<Str
     let samples = case.needs.request.count;
     let count = COUNT.min(u32::try_from(samples).unwrap_or(COUNT));
     let last = (samples - u64::from(count)) as u32;
-    for first in [0, last] {
+    for first in [0, last - last % program.aligned] {
         let got = sampler.run(first, count).unwrap();
         let mut want = vec![0; got.len()];
         reference.fill(first, &mut want);
@@ -223,10 +223,17 @@ fn all_equal(cases: &[Case], options: &[Options]) {
 const LONG: Options = Options {
     parameters: Parameters::Push,
     cpu: true,
+    int64: false,
 };
 const UNIFORM: Options = Options {
     parameters: Parameters::Uniform,
     cpu: false,
+    int64: false,
+};
+const EIGHT: Options = Options {
+    parameters: Parameters::Push,
+    cpu: true,
+    int64: true,
 };
 
 #[test]
@@ -237,6 +244,42 @@ fn every_sampler_is_that_of_the_reference() {
     let cases = samplers();
     assert!(cases.len() > 60, "{}", cases.len());
     all_equal(&cases, &[LONG, UNIFORM]);
+}
+
+#[test]
+fn stores_of_eight_words_are_those_of_the_reference() {
+    if skips() {
+        return;
+    }
+    let mut cases = bare();
+    cases.retain(|case| made(case, EIGHT).0.form == Form::Eight);
+    for (name, count) in [
+        ("sobol", 60),
+        ("halton:none", 10),
+        ("hammersley", 4),
+        ("random", 15),
+    ] {
+        let of = cases.iter().filter(|case| case.name.contains(name)).count();
+        assert!(of >= count, "{name}: {of}");
+    }
+    assert!(cases.iter().all(|case| case.needs.dimensions() <= 8));
+    on_each_device(|device| {
+        if !device.has_int64() {
+            let refused = Sampler::new(device, &made(&cases[0], EIGHT).0, &[]);
+            let refused = refused.err().unwrap().to_string();
+            assert!(refused.contains("strip it without --int64"), "{refused}");
+            return;
+        }
+        at_once(&cases, |case| {
+            assert_eq!(difference(device, case, EIGHT), None);
+            let (program, words) = made(case, EIGHT);
+            if program.aligned > 1 {
+                let sampler = Sampler::new(device, &program, &words).unwrap();
+                let refused = sampler.run(1, 1).unwrap_err().to_string();
+                assert!(refused.contains("begin at 0"), "{refused}");
+            }
+        });
+    });
 }
 
 #[test]
@@ -307,6 +350,57 @@ fn scenes_and_samplers_are_those_of_the_stock_kernels() {
     });
 }
 
+/// The same of stores of eight words: a wrong place, direction, turn, order or store.
+#[test]
+fn broken_stores_of_eight_words_are_found() {
+    on_one_device(|device| {
+        if !device.has_int64() {
+            println!("SKIPPED: no integers of 64 bits");
+            return;
+        }
+        let cases = bare();
+        for (name, from, to) in [
+            (
+                "sobol:none, 2 dimensions",
+                "x1 ^ 0xc0000000u",
+                "x1 ^ 0x40000000u",
+            ),
+            (
+                "sobol:none, 2 dimensions",
+                "x0 ^ 0x40000000u",
+                "x1 ^ 0x40000000u",
+            ),
+            (
+                "sobol:none, 2 dimensions",
+                "bitfieldReverse(k)",
+                "bitfieldReverse(k >> 1)",
+            ),
+            ("sobol:none, 3 dimensions", "net2_turn(k)", "net2_turn(n)"),
+            ("sobol:none, 3 dimensions", "at += 3u", "at += 2u"),
+            ("sobol:none, 2 dimensions", "i * 4u", "i * 3u"),
+            ("halton:none, 2 dimensions", "c.n += 1u", "c.n += 2u"),
+            (
+                "halton:none, 2 dimensions",
+                "draw_x1(x1_2)",
+                "draw_x1(x1_1)",
+            ),
+            ("random, 1 dimensions", "samples[at + 0u]", "samples[at]"),
+        ] {
+            let case = cases.iter().find(|case| case.name == name).unwrap();
+            let (program, _) = made(case, EIGHT);
+            let text = program.flat(false).unwrap().text;
+            assert!(text.contains(from), "{name} has no {from}:\n{text}");
+            let words = program.spirv(&text.replacen(from, to, 1)).unwrap();
+            let sampler = Sampler::new(device, &program, &words).unwrap();
+            let got = sampler.run(0, 480).unwrap();
+            let mut want = vec![0; got.len()];
+            SceneReference::new(&case.needs).unwrap().fill(0, &mut want);
+            // The last means the same.
+            assert_eq!(got == want, to == "samples[at]", "{name}: {from} -> {to}");
+        }
+    });
+}
+
 /// A defect anywhere is found: another direction number, digit, weight, parameter or store.
 #[test]
 fn broken_kernels_are_found() {
@@ -314,7 +408,11 @@ fn broken_kernels_are_found() {
         let cases = files();
         let case = |name: &str| cases.iter().find(|case| case.name == name).unwrap();
         for (scene, from, to) in [
-            ("diffuse_quad", "0x80000000u", "0x80000001u"),
+            (
+                "diffuse_quad",
+                "corput_sobol_pair(c.n).y",
+                "corput_sobol_pair(c.n).x",
+            ),
             ("diffuse_quad", "c.n += 1u", "c.n += 2u"),
             ("diffuse_quad", "push.first + begin", "push.first"),
             ("many_lights", "return uvec2(2u,", "return uvec2(3u,"),

@@ -39,7 +39,9 @@ pub struct Speed {
     /// Host seconds until the first 64 samples are there: pipelines are made, and drivers that
     /// compile when they must have done so.
     pub start_s: f64,
-    /// Median device seconds of all samples.
+    /// Samples of each round.
+    pub samples: u32,
+    /// Median device seconds of a round.
     pub median_s: f64,
     /// Median absolute deviation of that time.
     pub deviation_s: f64,
@@ -48,8 +50,6 @@ pub struct Speed {
 /// Times of a scene's samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Speeds {
-    /// Samples of each round.
-    pub samples: u32,
     /// By the stock kernels, chosen at run time: of each domain its points, by the general kernel
     /// of the sampler's family, and then its map. Numbers with ends and choices are not drawn.
     pub full: Speed,
@@ -119,7 +119,8 @@ pub fn compare(
     })
 }
 
-/// A scene's program and module in the form that a device likes: long runs on CPUs.
+/// A scene's program and module in the form that a device likes: on CPUs long runs, and wide
+/// stores where it has integers of 64 bits.
 ///
 /// # Errors
 /// Those of [`program`].
@@ -127,6 +128,7 @@ pub fn suited(device: &Device, name: &str, needs: &Needs) -> Result<(Program, Ve
     let options = Options {
         parameters: Parameters::Push,
         cpu: device.info().kind == DeviceKind::Cpu,
+        int64: device.has_int64(),
     };
     let program = program(name, needs, options)?;
     let words = program.spirv(&program.flat(false)?.text)?;
@@ -205,36 +207,34 @@ fn seconds(timing: Timing) -> f64 {
 const MOST: u64 = 1 << 24;
 
 fn speeds(full: &mut Full, stripped: &mut Stripped, baked: Option<&mut Baked>) -> Result<Speeds> {
-    let mut makers: Vec<&mut dyn Maker> = vec![full, stripped];
-    makers.extend(baked.map(|one| one as &mut dyn Maker));
-    let limits = makers.iter().map(|maker| maker.limit());
-    let most = limits.min().unwrap_or(0).min(MOST);
-    let trial = TRIAL.min(most as u32);
-    let mut slowest = 0.0f64;
-    for maker in &mut makers {
-        maker.make(trial)?;
-        slowest = slowest.max(seconds(maker.make(trial)?));
-    }
-    let wanted = (f64::from(trial) * ROUND_S / slowest.max(1e-9)) as u64;
-    let samples = wanted.clamp(u64::from(trial), most) as u32;
+    let whole = round(&mut [full])?;
+    let mut own: Vec<&mut dyn Maker> = vec![stripped];
+    own.extend(baked.map(|one| one as &mut dyn Maker));
+    let each = round(&mut own)?;
+    let mut makers: Vec<(&mut dyn Maker, u32)> = vec![(full, whole)];
+    makers.extend(own.into_iter().map(|maker| (maker, each)));
     let mut times = vec![Vec::new(); makers.len()];
-    for maker in &mut makers {
-        maker.make(samples)?;
+    for (maker, samples) in &mut makers {
+        maker.make(*samples)?;
     }
     for _ in 0..ROUNDS {
-        for (maker, times) in makers.iter_mut().zip(&mut times) {
-            times.push(seconds(maker.make(samples)?));
+        for ((maker, samples), times) in makers.iter_mut().zip(&mut times) {
+            times.push(seconds(maker.make(*samples)?));
         }
     }
-    let mut all = makers.iter().zip(&mut times).map(|(maker, times)| {
-        let median_s = median(times);
-        let mut away: Vec<f64> = times.iter().map(|time| (time - median_s).abs()).collect();
-        Speed {
-            start_s: maker.start_s(),
-            median_s,
-            deviation_s: median(&mut away),
-        }
-    });
+    let mut all = makers
+        .iter()
+        .zip(&mut times)
+        .map(|((maker, samples), times)| {
+            let median_s = median(times);
+            let mut away: Vec<f64> = times.iter().map(|time| (time - median_s).abs()).collect();
+            Speed {
+                start_s: maker.start_s(),
+                samples: *samples,
+                median_s,
+                deviation_s: median(&mut away),
+            }
+        });
     let (Some(full), Some(stripped)) = (all.next(), all.next()) else {
         return Err(Error::CheckFailed {
             failures: 1,
@@ -242,11 +242,28 @@ fn speeds(full: &mut Full, stripped: &mut Stripped, baked: Option<&mut Baked>) -
         });
     };
     Ok(Speeds {
-        samples,
         full,
         stripped,
         baked: all.next(),
     })
+}
+
+/// Samples of a round of each of these: as many as the slowest makes in [`ROUND_S`].
+fn round(makers: &mut [&mut dyn Maker]) -> Result<u32> {
+    let limits = makers.iter().map(|maker| maker.limit());
+    let most = limits.min().unwrap_or(0).min(MOST) as u32;
+    let mut samples = TRIAL.min(most);
+    // A dispatch of few is mostly its start, so that the second trial is of more.
+    for _ in 0..2 {
+        let mut slowest = 0.0f64;
+        for maker in &mut *makers {
+            maker.make(samples)?;
+            slowest = slowest.max(seconds(maker.make(samples)?));
+        }
+        let wanted = (f64::from(samples) * ROUND_S / slowest.max(1e-9)) as u64;
+        samples = wanted.clamp(samples.into(), most.into()) as u32;
+    }
+    Ok(samples)
 }
 
 /// Compares samples at the beginning and at the end of the indices with the reference: in the
@@ -263,7 +280,8 @@ pub fn verify(device: &Arc<Device>, needs: &Needs, program: &Program, words: &[u
     let bounds = bounds(needs, &reference);
     let sampler = Sampler::new(device, program, words)?;
     let count = needs.request.count.min(1 << 10);
-    for first in [0, needs.request.count - count] {
+    let last = needs.request.count - count;
+    for first in [0, last - last % u64::from(program.aligned)] {
         let got = sampler.run(first as u32, count as u32)?;
         let mut want = vec![0; got.len()];
         reference.fill(first as u32, &mut want);

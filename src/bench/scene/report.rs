@@ -50,8 +50,7 @@ pub fn rows(one: &Comparison) -> Vec<Row> {
     let Some(speeds) = &one.speeds else {
         return rows;
     };
-    let samples = f64::from(speeds.samples);
-    let rate = |speed: &Speed| samples / speed.median_s;
+    let rate = |speed: &Speed| f64::from(speed.samples) / speed.median_s;
     let (whole, own) = (&speeds.full, &speeds.stripped);
     rows.push([
         "ms until the first 64 samples".to_owned(),
@@ -95,6 +94,7 @@ pub fn document(one: &Comparison) -> Value {
     let speed = |speed: &Speed| {
         json!({
             "start_s": speed.start_s,
+            "samples": speed.samples,
             "median_s": speed.median_s,
             "deviation_s": speed.deviation_s,
         })
@@ -105,7 +105,6 @@ pub fn document(one: &Comparison) -> Value {
         "full_bytes_of_any_sampler": one.any_bytes,
         "stripped": size(&one.stripped),
         "speeds": one.speeds.as_ref().map(|speeds| json!({
-            "samples": speeds.samples,
             "full": speed(&speeds.full),
             "stripped": speed(&speeds.stripped),
             "baked": speeds.baked.as_ref().map(speed),

@@ -47,6 +47,9 @@ pub struct StripArgs {
     /// Long runs of samples per invocation, for drivers of CPUs.
     #[arg(long)]
     pub cpu: bool,
+    /// With --cpu: stores of 64-bit integers (shaderInt64), for bare points by short coordinates.
+    #[arg(long, requires = "cpu")]
+    pub int64: bool,
     /// Run spirv-opt of SPIR-V Tools on the module, and lint it again.
     #[arg(long)]
     pub spirv_opt: bool,

@@ -46,7 +46,8 @@ pub(super) fn document(
         "workgroup": [GROUP, 1, 1],
         "samples_of_an_invocation": program.run,
         "record_words": program.record.words,
-        "samples_multiple": if program.wide { 4 } else { 1 },
+        "samples_multiple": program.multiple(),
+        "first_multiple": program.aligned,
         "record": program.record.fields.iter().map(field).collect::<Vec<_>>(),
         "bindings": {
             "set": 0,

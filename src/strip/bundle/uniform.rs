@@ -25,8 +25,12 @@ impl Uniform {
         if targets.is_empty() {
             return Ok(None);
         }
-        let parameters = Parameters::Uniform;
-        let program = program(name, needs, Options { parameters, cpu })?;
+        let options = Options {
+            parameters: Parameters::Uniform,
+            cpu,
+            int64: false,
+        };
+        let program = program(name, needs, options)?;
         let mut texts = Vec::new();
         if targets.contains(&Target::Godot) {
             let text = format!("#[compute]\n{}", program.flat(false)?.text);

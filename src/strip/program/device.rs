@@ -1,8 +1,8 @@
 //! A scene's kernel compiled, and on a device.
 
-use super::{Parameters, Program};
+use super::{Form, Parameters, Program};
 use crate::catalog::Profile as Functions;
-use crate::compile::{check, to_spirv_lean};
+use crate::compile::{check, to_spirv, to_spirv_lean};
 use crate::interface::Profile;
 use crate::scene::PUSH_BYTES;
 use crate::spirv::drop_local_names;
@@ -14,9 +14,11 @@ impl Program {
     /// The linter's rules for its module.
     #[must_use]
     pub fn rules(&self) -> Profile {
-        match self.profile {
-            Functions::Exact => Profile::Float,
-            Functions::Native => Profile::Native,
+        match (self.form, self.profile) {
+            // Of bare numbers, which no map makes.
+            (Form::Eight, _) => Profile::Wide,
+            (_, Functions::Exact) => Profile::Float,
+            (_, Functions::Native) => Profile::Native,
         }
     }
 
@@ -37,7 +39,12 @@ impl Program {
     /// [`Error::Shader`] for what the compiler or the linter refuses, which is a defect of this
     /// crate.
     pub fn named(&self, text: &str) -> Result<Vec<u32>> {
-        to_spirv_lean(text)
+        let words = match self.form {
+            // What packs 64 bits is not among the fewer declarations.
+            Form::Eight => to_spirv(text, &[], &mut |_| None),
+            Form::Words | Form::Four => to_spirv_lean(text),
+        };
+        words
             .and_then(|words| check(&words, self.rules()))
             .map_err(|problem| self.wrong(problem))
     }
@@ -63,8 +70,16 @@ impl Sampler {
     /// program's own, so that tests can run others.
     ///
     /// # Errors
-    /// Those of the device.
+    /// [`Error::Arguments`] of [`Form::Eight`] where the device was not opened with integers of
+    /// 64 bits; those of the device.
     pub fn new(device: &Arc<Device>, program: &Program, words: &[u32]) -> Result<Self> {
+        if program.form == Form::Eight && !device.has_int64() {
+            return Err(Error::Arguments {
+                asked: format!("{} in stores of 64-bit integers", program.name),
+                limit: format!("{} was not opened with them", device.info().name),
+                remedy: "strip it without --int64".to_owned(),
+            });
+        }
         let uniforms: Vec<u32> = program.parameter_binding().into_iter().collect();
         let description = PipelineDescription {
             name: &program.name,
@@ -93,8 +108,8 @@ impl Sampler {
     /// Makes samples into a buffer of at least [`Program::sample_bytes`].
     ///
     /// # Errors
-    /// [`Error::Arguments`] for a smaller buffer, and for samples past the scene's last; those
-    /// of the device.
+    /// [`Error::Arguments`] for a smaller buffer, for samples past the scene's last, and for a
+    /// first index that is no multiple of [`Program::aligned`]; those of the device.
     pub fn dispatch(&self, results: &Buffer, first: u32, count: u32) -> Result<Timing> {
         let end = u64::from(first) + u64::from(count);
         if end > self.program.samples {
@@ -109,6 +124,17 @@ impl Sampler {
 
     /// The same also past the last sample, where points are not the sampler's: for times.
     pub(crate) fn dispatch_any(&self, results: &Buffer, first: u32, count: u32) -> Result<Timing> {
+        let aligned = self.program.aligned;
+        if first % aligned != 0 {
+            return Err(Error::Arguments {
+                asked: format!("samples from {first}"),
+                limit: format!("{} begins at multiples of {aligned}", self.program.name),
+                remedy: format!(
+                    "begin at {}, or strip it without --int64",
+                    first - first % aligned
+                ),
+            });
+        }
         let needed = self.program.sample_bytes(count.into());
         if results.bytes() < needed {
             return Err(Error::Arguments {

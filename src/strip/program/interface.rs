@@ -57,8 +57,13 @@ impl Program {
             ),
             number(
                 "samples_multiple".into(),
-                if self.wide { 4 } else { 1 },
+                self.multiple().into(),
                 "The buffer holds the count of samples rounded up to a multiple of this".into(),
+            ),
+            number(
+                "first_multiple".into(),
+                self.aligned.into(),
+                "The index of the first sample is a multiple of this".into(),
             ),
             number(
                 "run".into(),

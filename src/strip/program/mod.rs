@@ -5,10 +5,12 @@
 //! direction numbers and digits, parameters of its maps, weights of its choices. What is
 //! looked up, environments and choices among many, is in a buffer each.
 
+mod beside;
 mod choice;
 mod columns;
 #[cfg(feature = "gpu")]
 mod device;
+mod eight;
 mod interface;
 mod literal;
 mod maps;
@@ -51,6 +53,21 @@ pub struct Options {
     /// Long runs of samples per invocation, as CPU drivers like them, in place of four, which
     /// leave writes of a GPU's lanes side by side.
     pub cpu: bool,
+    /// With `cpu`, for devices that have integers of 64 bits (`shaderInt64`): [`Form::Eight`],
+    /// where a scene can have it.
+    pub int64: bool,
+}
+
+/// How a kernel stores records.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Word by word.
+    Words,
+    /// Four records at a time, in elements of `uvec4`.
+    Four,
+    /// Eight words at a time, in elements of `u64vec4`: of up to eight bare numbers in [0, 1) by a
+    /// sampler whose coordinates take few instructions a point.
+    Eight,
 }
 
 /// A buffer of words that the kernel only reads.
@@ -77,9 +94,10 @@ pub struct Program {
     pub record: Record,
     /// Samples of an invocation.
     pub run: u32,
-    /// Whether four records are stored at a time: then the buffer of samples holds a multiple
-    /// of four, and its elements are `uvec4`.
-    pub wide: bool,
+    /// How they are stored.
+    pub form: Form,
+    /// The first index of a dispatch is a multiple of this.
+    pub aligned: u32,
     /// Tables, by binding.
     pub tables: Vec<Table>,
     /// Where the parameters are.
@@ -175,13 +193,18 @@ pub fn program(name: &str, needs: &Needs, options: Options) -> Result<Program> {
         source: String::new(),
         record,
         run,
-        wide: short,
+        form: if short { Form::Four } else { Form::Words },
+        aligned: 1,
         tables,
         parameters: options.parameters,
         profile,
         samples,
     };
-    program.source = text::source(&program, needs)?;
+    let eight = (options.cpu && options.int64).then(|| eight::Eight::of(&program.record, needs));
+    match eight.flatten() {
+        Some(eight) => eight.write(&mut program, needs)?,
+        None => program.source = text::source(&program, needs)?,
+    }
     Ok(program)
 }
 
@@ -231,12 +254,17 @@ impl Program {
     /// Bytes that a buffer of so many samples has.
     #[must_use]
     pub fn sample_bytes(&self, count: u64) -> u64 {
-        let whole = if self.wide {
-            count.next_multiple_of(4)
-        } else {
-            count
-        };
-        4 * u64::from(self.record.words) * whole
+        4 * u64::from(self.record.words) * count.next_multiple_of(self.multiple().into())
+    }
+
+    /// The buffer of samples holds a multiple of so many.
+    #[must_use]
+    pub fn multiple(&self) -> u32 {
+        match self.form {
+            Form::Words => 1,
+            Form::Four => 4,
+            Form::Eight => self.run,
+        }
     }
 
     /// Workgroups for so many samples.

@@ -4,6 +4,7 @@ use super::SHORT_RUN;
 use super::columns::Code;
 use super::literal::word;
 use crate::interface::column_kind as kind;
+use crate::reference::pmj02::sobol_pair;
 use std::fmt::Write;
 
 /// Bits of an index that a function of a block's points adds up; the others are the same for
@@ -19,7 +20,7 @@ pub(super) fn code(words: &[u32], number: usize, run: u32, samples: u64, code: &
     let w = |at: usize| words.get(at).copied().unwrap_or(0);
     let seed = format!("uvec2({}, {})", word(w(3)), word(w(4)));
     if w(0) == kind::PMJ02 {
-        code.includes = &["corput/pmj02.glsl", "corput/unit.glsl"];
+        code.includes = INCLUDES;
         let axis = if w(2) == 0 { "x" } else { "y" };
         code.fraction = format!(
             "corput_pmj02_scramble(corput_sobol_pair(corput_pmj02_index(c.n, {seed})).{axis}, {}, \
@@ -32,34 +33,52 @@ pub(super) fn code(words: &[u32], number: usize, run: u32, samples: u64, code: &
     let bits = (64 - samples.saturating_sub(1).leading_zeros()) as usize;
     let directions = words.get(6..38).unwrap_or_default();
     let name = format!("net{number}");
-    let x = match whole(directions, bits) {
-        Some(all) => all.to_owned(),
+    let x = match whole(directions, bits, "c.n") {
+        Some(all) => all,
         None => {
             let runs = if run <= SHORT_RUN { FEW_BITS } else { LOW_BITS };
             let low = if bits <= runs { bits } else { LOW_BITS };
             sum(directions, [low, bits], &name, number, code)
         }
     };
-    code.includes = &["corput/owen.glsl", "corput/unit.glsl"];
-    code.fraction = match w(0) {
-        kind::SOBOL_OWEN => format!("corput_owen({x}, {}, {seed})", word(w(2))),
-        kind::SOBOL_OWEN_HASH => format!("corput_owen_hash_reversed({x}, {})", word(w(5))),
-        _ if w(1) == 0 => x,
-        _ => format!("corput_digital_shift({x}, {})", word(w(1))),
-    };
+    code.includes = INCLUDES;
+    code.fraction = scrambled(words, &x);
 }
 
-/// All bits of an index at once, where that is what the lowest of these directions add up to: in
-/// the first dimension, scrambled or not.
-fn whole(directions: &[u32], bits: usize) -> Option<&'static str> {
-    let all = |direction: fn(usize) -> u32| {
-        let mut known = directions.iter().enumerate().take(bits);
+/// The headers of nets.
+pub(super) const INCLUDES: &[&str] = &["corput/owen.glsl", "corput/pmj02.glsl", "corput/unit.glsl"];
+
+/// The fraction of a net's coordinate `x`.
+pub(super) fn scrambled(words: &[u32], x: &str) -> String {
+    let w = |at: usize| words.get(at).copied().unwrap_or(0);
+    match w(0) {
+        kind::SOBOL_OWEN => {
+            let seed = format!("uvec2({}, {})", word(w(3)), word(w(4)));
+            format!("corput_owen({x}, {}, {seed})", word(w(2)))
+        }
+        kind::SOBOL_OWEN_HASH => format!("corput_owen_hash_reversed({x}, {})", word(w(5))),
+        _ if w(1) == 0 => x.to_owned(),
+        _ => format!("corput_digital_shift({x}, {})", word(w(1))),
+    }
+}
+
+/// What `bits` bits of the index `n` add up to, at once, where their directions are those of the
+/// first two dimensions, scrambled or not.
+pub(super) fn whole(directions: &[u32], bits: usize, n: &str) -> Option<String> {
+    let all = |direction: fn(u32) -> u32| {
+        let mut known = (0..).zip(directions).take(bits);
         known.all(|(bit, known)| *known == direction(bit))
     };
+    // For the hash in reverse, as its directions are.
     if all(|bit| 1 << (31 - bit)) {
-        Some("bitfieldReverse(c.n)")
+        Some(format!("bitfieldReverse({n})"))
+    } else if all(|bit| 1 << bit) {
+        Some(n.to_owned())
+    } else if all(|bit| sobol_pair(1 << bit).y) {
+        Some(format!("corput_sobol_pair({n}).y"))
     } else {
-        all(|bit| 1 << bit).then_some("c.n")
+        let known = all(|bit| sobol_pair(1 << bit).y.reverse_bits());
+        known.then(|| format!("bitfieldReverse(corput_sobol_pair({n}).y)"))
     }
 }
 
@@ -72,19 +91,7 @@ fn sum(
     number: usize,
     code: &mut Code,
 ) -> String {
-    let part = |name: &str, from: usize, to: usize| {
-        let terms = directions.iter().enumerate().take(to).skip(from);
-        // A bit as all bits.
-        let terms: Vec<String> = terms
-            .map(|(bit, direction)| {
-                format!("(bitfieldExtract(bits, {bit}, 1) & int({direction:#010x}u))")
-            })
-            .collect();
-        format!(
-            "uint {name}(uint n) {{\n    int bits = int(n);\n    return uint({});\n}}\n",
-            terms.join("\n        ^ ")
-        )
-    };
+    let part = |name: &str, from, to| part(directions, name, [from, to]);
     let (low, high) = (format!("{name}_low"), format!("{name}_high"));
     // Writing to a String cannot fail.
     let _ = write!(
@@ -107,4 +114,28 @@ fn sum(
         ("uint", after, format!("{high}(n + 256u)")),
     ];
     format!("c.{name} ^ {low}(c.n)")
+}
+
+/// A function that adds up what bits of an index from one to before another contribute.
+pub(super) fn part(directions: &[u32], name: &str, [from, to]: [usize; 2]) -> String {
+    let known: Vec<(usize, u32)> = directions.iter().copied().enumerate().collect();
+    let bits = known.get(from..to.min(known.len())).unwrap_or_default();
+    // A bit as all bits, four at a time: modules are much smaller than of one after the other.
+    let terms = bits.chunks(4).map(|four| {
+        let at = |place: usize| four.get(place).copied().unwrap_or_default();
+        let [a, b, c, d] = [0, 1, 2, 3].map(at);
+        let shifts = [a, b, c, d].map(|(bit, _)| (31 - bit).to_string());
+        let directions = [a, b, c, d].map(|(_, direction)| word(direction));
+        format!(
+            "(((bits << ivec4({})) >> 31) & ivec4({}))",
+            shifts.join(", "),
+            directions.join(", ")
+        )
+    });
+    let terms: Vec<String> = terms.collect();
+    format!(
+        "uint {name}(uint n) {{\n    ivec4 bits = ivec4(n);\n    ivec4 sum = {};\n    \
+         return uint(sum.x ^ sum.y ^ sum.z ^ sum.w);\n}}\n",
+        terms.join("\n        ^ ")
+    )
 }

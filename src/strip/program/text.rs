@@ -1,7 +1,7 @@
 //! The GLSL of a scene's kernel, part by part.
 
 use super::literal::{indented, real, word};
-use super::{GROUP, Parameters, Program, SAMPLES, choice, columns, maps};
+use super::{Form, GROUP, Parameters, Program, SAMPLES, choice, columns, maps};
 use crate::Result;
 use crate::scene::{Choice, Domain, Draw, Field, Needs, Span};
 use std::fmt::Write;
@@ -18,10 +18,29 @@ pub(super) fn source(program: &Program, needs: &Needs) -> Result<String> {
         .enumerate()
         .map(|(number, column)| columns::code(column, number, program.run, program.samples))
         .collect();
-    let mut includes: Vec<String> = Vec::new();
+    let mut includes: Vec<&str> = Vec::new();
     for column in &columns {
-        includes.extend(column.includes.iter().map(|&name| name.to_owned()));
+        includes.extend(column.includes);
     }
+    let units: Vec<&str> = columns.iter().map(|column| column.unit.as_str()).collect();
+    let mut text = declarations(program, needs, includes, &units, &cursor(&columns))?;
+    if program.form == Form::Four {
+        text += &sample(program, needs, &columns);
+    }
+    text += &main(program, needs, &columns);
+    Ok(text)
+}
+
+/// What comes before the sample: the interface, headers, what coordinates need, and a function
+/// `draw_NAME` for each domain. `units` make floats of each coordinate's fractions.
+pub(super) fn declarations(
+    program: &Program,
+    needs: &Needs,
+    includes: Vec<&str>,
+    units: &[&str],
+    coordinates: &str,
+) -> Result<String> {
+    let mut includes: Vec<String> = includes.into_iter().map(str::to_owned).collect();
     let mut functions = String::new();
     for (domain, field) in needs.domains.iter().zip(&program.record.fields) {
         let _ = writeln!(
@@ -34,9 +53,7 @@ pub(super) fn source(program: &Program, needs: &Needs) -> Result<String> {
         let name = format!("draw_{}", field.name);
         match &domain.draw {
             Draw::Between(ends) => {
-                let unit = columns
-                    .get(domain.first as usize)
-                    .map_or("", |c| c.unit.as_str());
+                let unit = units.get(domain.first as usize).copied().unwrap_or("");
                 let span = Span::new(*ends)?;
                 includes.extend(span.map(|_| "corput/real.glsl".to_owned()));
                 functions += &between(&name, span, unit);
@@ -63,14 +80,7 @@ pub(super) fn source(program: &Program, needs: &Needs) -> Result<String> {
     for name in includes {
         let _ = writeln!(text, "#include \"{name}\"");
     }
-    text.push('\n');
-    text += &cursor(&columns);
-    text.push('\n');
-    text += &functions;
-    if program.wide {
-        text += &sample(program, needs, &columns);
-    }
-    text += &main(program, needs, &columns);
+    let _ = write!(text, "\n{coordinates}\n{functions}");
     Ok(text)
 }
 
@@ -94,8 +104,16 @@ fn vector(words: u32) -> &'static str {
 
 /// What comes before the includes.
 fn head(program: &Program) -> String {
+    let (element, integers) = match program.form {
+        Form::Words => ("uint", ""),
+        Form::Four => ("uvec4", ""),
+        Form::Eight => (
+            "u64vec4",
+            "#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require\n",
+        ),
+    };
     let mut text = format!(
-        "#version 450\n#extension GL_EXT_control_flow_attributes : require\n\
+        "#version 450\n#extension GL_EXT_control_flow_attributes : require\n{integers}\
          // Samples of {}: records of {} words, {} samples at most.\n\
          // Made by corput {}, {}.\n\
          layout(local_size_x = {GROUP}) in;\n",
@@ -110,7 +128,6 @@ fn head(program: &Program) -> String {
         Parameters::Push => "writeonly ",
         Parameters::Uniform => "",
     };
-    let element = if program.wide { "uvec4" } else { "uint" };
     let _ = writeln!(
         text,
         "layout(std430, set = 0, binding = {SAMPLES}) {access}buffer Samples {{ {element} samples[]; }};"
@@ -234,21 +251,28 @@ fn words(field: &Field, variable: &str) -> Vec<String> {
     }
 }
 
-fn main(program: &Program, needs: &Needs, columns: &[columns::Code]) -> String {
+/// The beginning of `main`: the number `i` of the invocation, and the index `n` of its first
+/// sample.
+pub(super) fn invocation(program: &Program) -> String {
     let run = word(program.run);
-    let stride = program.record.words;
-    let mut text = format!(
+    format!(
         "void main() {{\n\
          \x20   // More groups than one axis holds are dispatched in two.\n\
          \x20   uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n\
          \x20   uint i = group * {GROUP}u + gl_LocalInvocationID.x;\n\
          \x20   if (i >= push.count / {run} + min(push.count % {run}, 1u)) {{\n        return;\n    }}\n\
          \x20   uint begin = i * {run};\n\
-         \x20   uint n = push.first + begin;\n{}",
-        indented(&self::begin(columns), 4)
-    );
+         \x20   uint n = push.first + begin;\n"
+    )
+}
+
+fn main(program: &Program, needs: &Needs, columns: &[columns::Code]) -> String {
+    let run = word(program.run);
+    let stride = program.record.words;
+    let mut text = invocation(program);
+    text += &indented(&begin(columns), 4);
     let count = format!("    uint count = min({run}, push.count - begin);\n");
-    if program.wide {
+    if program.form == Form::Four {
         let four = four(program, columns);
         let at = word(program.run / 4 * stride);
         let _ = writeln!(text, "    uint at = i * {at};");

@@ -46,41 +46,48 @@ fn scene(sampler: &str, samples: u64, seed: u64) -> Scene {
     scene
 }
 
-/// Every sampler with every scramble: bare points, and where there are three dimensions or
-/// more a map over the first two and a number.
-pub fn samplers() -> Vec<Case> {
-    let map = || Mapping::new(Map::from_name("cosine-hemisphere").unwrap(), &[]).unwrap();
-    let mut cases = Vec::new();
+/// The names of every sequence with every scramble.
+fn names() -> Vec<String> {
+    let mut names = Vec::new();
     for sequence in SEQUENCES {
         let scrambles: Vec<Option<Scramble>> = match sequence.scrambles() {
             [] => vec![None],
             all => all.iter().copied().map(Some).collect(),
         };
-        for scramble in scrambles {
-            let Ok(sampler) = Sampler::new(*sequence, scramble) else {
-                continue;
+        let samplers = scrambles.iter().map(|one| Sampler::new(*sequence, *one));
+        names.extend(samplers.flatten().map(|sampler| sampler.name()));
+    }
+    names
+}
+
+/// Points of a sampler, of the first of these numbers of samples that it takes; `None` where it
+/// has fewer dimensions.
+fn points(name: &str, counts: &[u64], dimensions: u32, mapping: Option<&Mapping>) -> Option<Case> {
+    let needs = counts.iter().find_map(|samples| {
+        let scene = scene(name, *samples, 0x0123_4567_89ab_cdef);
+        Needs::of_points(&scene, dimensions, mapping.cloned()).ok()
+    })?;
+    let name = format!("{name}, {dimensions} dimensions");
+    Some(Case { name, needs })
+}
+
+/// Every sampler: bare points, and where there are three dimensions or more a map over the first
+/// two and a number.
+pub fn samplers() -> Vec<Case> {
+    let map = Mapping::new(Map::from_name("cosine-hemisphere").unwrap(), &[]).unwrap();
+    let mut cases = Vec::new();
+    for name in names() {
+        let before = cases.len();
+        for (dimensions, mapping) in [(1, None), (2, None), (3, Some(&map)), (7, None)] {
+            // As many as there can be in two dimensions; a number without many divisors;
+            // what lattices and published generators take.
+            let counts: &[u64] = match dimensions {
+                2 => &[1 << 32, (1 << 32) - 1, 1 << 20, 1021],
+                _ => &[46_225, 1 << 16, 1021],
             };
-            let name = sampler.name();
-            let before = cases.len();
-            for (dimensions, mapping) in [(1, None), (2, None), (3, Some(map())), (7, None)] {
-                // As many as there can be in two dimensions; a number without many divisors;
-                // what lattices and published generators take.
-                let counts: &[u64] = match dimensions {
-                    2 => &[1 << 32, (1 << 32) - 1, 1 << 20, 1021],
-                    _ => &[46_225, 1 << 16, 1021],
-                };
-                let made = counts.iter().find_map(|samples| {
-                    let scene = scene(&name, *samples, 0x0123_4567_89ab_cdef);
-                    Needs::of_points(&scene, dimensions, mapping.clone()).ok()
-                });
-                // Some have fewer dimensions.
-                if let Some(needs) = made {
-                    let name = format!("{name}, {dimensions} dimensions");
-                    cases.push(Case { name, needs });
-                }
-            }
-            assert!(cases.len() > before, "{name} has no case");
+            cases.extend(points(&name, counts, dimensions, mapping));
         }
+        assert!(cases.len() > before, "{name} has no case");
     }
     // Up to the last index of so many digits in one of the bases, and past it.
     for samples in [1, 2187, 2188, 15_625, 59_049, 59_050] {
@@ -88,6 +95,23 @@ pub fn samplers() -> Vec<Case> {
         let needs = Needs::of_points(&scene, 6, None).unwrap();
         let name = format!("halton, {samples} samples");
         cases.push(Case { name, needs });
+    }
+    cases
+}
+
+/// Bare points of every sampler in one to nine dimensions, as many as there can be and few.
+pub fn bare() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for name in names() {
+        for dimensions in 1..=9 {
+            let most = &[1 << 32, (1 << 32) - 1, 1 << 20, 1 << 16, 1021];
+            cases.extend(points(&name, most, dimensions, None));
+            let few = points(&name, &[16, 11], dimensions, None);
+            cases.extend(few.map(|case| Case {
+                name: format!("few of {}", case.name),
+                ..case
+            }));
+        }
     }
     cases
 }
