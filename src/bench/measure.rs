@@ -39,17 +39,21 @@ pub fn on_device(device: &Arc<Device>, job: &Job) -> Result<Measurement> {
         generator.read(probe, |words| words.iter().zip(expected).all(same))
     })?;
     let kernel = generator.kernel_name();
-    let round = &mut |_: &mut [u32]| {
-        let (mut seconds, mut start) = (0.0, 0);
-        while start < request.count {
-            let points = limit.min(request.count - start);
-            let timing = generator.dispatch(start, points)?;
-            seconds += timing.device_ns.unwrap_or(timing.host_ns) * 1e-9;
-            start += points;
-        }
-        Ok(seconds)
-    };
+    let round = &mut |_: &mut [u32]| dispatched(&mut generator, request.count, most);
     timed(job, job.goal, kernel, cold_s, round)
+}
+
+/// Device seconds of so many points from the first, up to `most` in a dispatch.
+pub(super) fn dispatched(generator: &mut Generator, count: u64, most: u64) -> Result<f64> {
+    let limit = generator.limit().min(most);
+    let (mut seconds, mut start) = (0.0, 0);
+    while start < count {
+        let points = limit.min(count - start);
+        let timing = generator.dispatch(start, points)?;
+        seconds += timing.device_ns.unwrap_or(timing.host_ns) * 1e-9;
+        start += points;
+    }
+    Ok(seconds)
 }
 
 /// Measures a job on the CPU, into memory that is used again.

@@ -5,6 +5,7 @@ mod against;
 mod document;
 mod jobs;
 mod measure;
+mod scaling;
 #[cfg(feature = "scenes")]
 pub mod scene;
 
@@ -12,6 +13,7 @@ pub use against::{Baseline, Change, Verdict, changes, slower};
 pub use document::{Machine, SCHEMA, json};
 pub use jobs::{Job, chosen, jobs};
 pub use measure::{on_cpu, on_device};
+pub use scaling::{MOST, SIZES, Scale, scaling, scaling_json, spread};
 
 #[cfg(feature = "scenes")]
 use measure::{ROUNDS, median};

@@ -164,6 +164,9 @@ pub struct BenchArgs {
     /// same.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["only", "against"])]
     pub scene: Vec<PathBuf>,
+    /// Measure 2^25 to 2^32 words of Sobol points instead: the time of a word should stay.
+    #[arg(long, conflicts_with_all = ["scene", "only", "against"])]
+    pub scaling: bool,
     /// Only the jobs whose names hold one of these, as halton,sobol [default: all].
     #[arg(long, value_delimiter = ',')]
     pub only: Vec<String>,

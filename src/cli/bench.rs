@@ -15,6 +15,9 @@ pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
     if !args.scene.is_empty() {
         return scenes(args, &host::open(args.device.as_deref())?);
     }
+    if args.scaling {
+        return scaling(args, &host::open(args.device.as_deref())?);
+    }
     // What cannot be used is said before anything is timed.
     let jobs = bench::chosen(&args.only)?;
     let baseline = args.against.as_deref().map(Baseline::read).transpose()?;
@@ -48,11 +51,7 @@ pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
         host::validated(device.instance())?;
     }
     let cpu = || "cpu, the reference in blocks".to_owned();
-    let machine = Machine {
-        device: device.map_or_else(cpu, |device| host::line(device.info())),
-        threads: std::thread::available_parallelism().map_or(1, usize::from),
-        command: host::command(),
-    };
+    let machine = machine(device.map_or_else(cpu, |device| host::line(device.info())));
     let changes = baseline.as_ref().map(|before| changes(&measured, before));
     if args.json {
         let document = bench::json(&machine, &measured, changes.as_deref());
@@ -78,6 +77,46 @@ pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
         print(&format!("\n{}", compared(&changes)));
     }
     Ok(bench::slower(&changes)?)
+}
+
+fn machine(device: String) -> Machine {
+    Machine {
+        device,
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        command: host::command(),
+    }
+}
+
+/// More and more words of one sequence.
+fn scaling(args: &BenchArgs, device: &Arc<Device>) -> anyhow::Result<()> {
+    let scales = bench::scaling(device, bench::SIZES)?;
+    host::validated(device.instance())?;
+    let machine = machine(host::line(device.info()));
+    if args.json {
+        let document = bench::scaling_json(&machine, &scales);
+        print(&serde_json::to_string_pretty(&document)?);
+        return Ok(());
+    }
+    let mut table = Table::new();
+    let header = ["words", "median ms", "ns a word"];
+    table.load_style(presets::NOTHING).set_header(header);
+    for scale in &scales {
+        table.add_row([
+            scale.words.to_string(),
+            format!("{:.2}", scale.median_s * 1e3),
+            format!("{:.4}", scale.word_ns()),
+        ]);
+    }
+    align_right(&mut table, 0..3);
+    let spread = bench::spread(&scales);
+    let reached = spread <= bench::MOST;
+    print(&format!("{}\n{table}", machine.device));
+    print(&format!(
+        "a word takes at most {spread:.3} times the least, goal {}: {}",
+        bench::MOST,
+        if reached { "reached" } else { "MISSED" }
+    ));
+    Ok(())
 }
 
 fn table(measured: &[Measurement]) -> Table {

@@ -53,4 +53,4 @@ mod vectors;
 mod widths;
 
 use desk::{Desk, Run, repository};
-use support::skips;
+use support::{on_one_device, skips};

@@ -1,7 +1,8 @@
 //! `corput bench`, but for scenes.
 
 use super::refused::assert_refused;
-use super::{Desk, skips};
+use super::{Desk, on_one_device, skips};
+use corput::bench::{Machine, scaling, scaling_json};
 use serde_json::{Value, json};
 
 /// What a command prints, as JSON.
@@ -53,6 +54,30 @@ fn a_device_is_measured_and_compared_with_before() {
     fast.expect(0, &[]);
     let fast: Value = serde_json::from_slice(&fast.stdout).expect("JSON");
     assert_eq!(fast["changes"][0]["verdict"], "faster");
+}
+
+#[test]
+fn a_device_is_measured_over_more_and_more_words() {
+    on_one_device(|device| {
+        let scales = scaling(device, 17..=19).unwrap();
+        let words: Vec<u64> = scales.iter().map(|scale| scale.words).collect();
+        assert_eq!(words, [1 << 17, 1 << 18, 1 << 19]);
+        assert!(
+            scales.iter().all(|scale| scale.median_s > 0.0),
+            "{scales:?}"
+        );
+        let machine = Machine {
+            device: device.info().name.clone(),
+            threads: 1,
+            command: String::new(),
+        };
+        let document = scaling_json(&machine, &scales);
+        assert_eq!(document["sizes"].as_array().map(Vec::len), Some(3));
+        assert!(scaling(device, 25..=40).is_err());
+    });
+    let desk = Desk::new();
+    desk.run("bench --scaling --only sobol")
+        .expect(2, &["cannot be used with"]);
 }
 
 #[test]
