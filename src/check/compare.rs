@@ -58,9 +58,11 @@ pub fn compare(one: &Path, other: &Path) -> Result<Comparison> {
     };
     let name = |(name, kernel): &Key| format!("{name} ({kernel})");
     for (key, hash) in &exact {
-        match (hash, other_exact.get(key).and_then(Option::as_ref)) {
-            (Some(one), Some(other)) if one == other => found.equal += 1,
-            (Some(_), Some(_)) => found.differ.push(name(key)),
+        match (hash, other_exact.get(key)) {
+            (Some(one), Some(Some(other))) if one == other => found.equal += 1,
+            (Some(_), Some(Some(_))) => found.differ.push(name(key)),
+            // Both devices refused it.
+            (None, Some(None)) => {}
             _ => found.only.push(name(key)),
         }
     }

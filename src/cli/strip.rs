@@ -8,6 +8,7 @@ use corput::catalog::{Group, Profile, Sampler};
 use corput::compile::warm_up;
 use corput::report::{create_folder, save_all};
 use corput::scene::{self, Needs, Scene, Stated};
+use corput::strip::program::Form;
 use corput::strip::{Bundle, BundleOptions, Target, bundle};
 use corput::{Error, Result};
 use std::panic::resume_unwind;
@@ -165,6 +166,11 @@ fn compared(
         }
         opened => opened?,
     };
+    if made.program.form == Form::Eight && !device.has_int64() {
+        let name = &device.info().name;
+        eprintln!("corput: warning: nothing is timed: {name} has no integers of 64 bits");
+        return Ok((untimed()?, None));
+    }
     let comparison = compare(&device, needs, &made.program, &made.spirv)?;
     host::validated(device.instance())?;
     Ok((comparison, Some(host::line(device.info()))))

@@ -40,7 +40,10 @@ impl Row {
     pub fn judged(case: Case, given: &Given) -> Self {
         let error = |words: &Vec<u32>| case.error(words);
         let device = given.exact.as_ref().map(error);
-        let native = given.native.as_ref().map(error);
+        // Native functions have fewer words than kernels of several functions.
+        let read = case.reading.first + case.truth.values.len();
+        let native = given.native.as_ref().filter(|words| words.len() >= read);
+        let native = native.map(error);
         let failure = failure(&case, given.exact.as_deref());
         Self {
             case,
@@ -151,8 +154,10 @@ fn native(device: &Arc<Device>, name: &str, calls: &[[u32; 4]]) -> Result<Vec<Ve
         return Ok(Vec::new());
     }
     let kernel = Elementary::new(device, function.id, Profile::Native, task::SAMPLE)?;
-    let rows = kernel.run(calls)?.into_iter().map(|row| row.to_vec());
-    Ok(rows.collect())
+    let rows = kernel.run(calls)?.into_iter();
+    Ok(rows
+        .map(|row| row.into_iter().take(function.width).collect())
+        .collect())
 }
 
 fn sampled(

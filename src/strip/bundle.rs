@@ -10,7 +10,7 @@ pub use target::{TARGETS, Target};
 
 use super::flat::Flat;
 use super::host::{c_header, rust_module};
-use super::program::{Options, Parameters, Program, Table, program};
+use super::program::{Form, Options, Parameters, Program, Table, program};
 use crate::scene::{Needs, Scene};
 use crate::{Error, Result};
 use std::panic::resume_unwind;
@@ -33,7 +33,7 @@ pub struct BundleOptions {
     /// For CPU drivers: see [`Options::cpu`].
     pub cpu: bool,
     /// For those with integers of 64 bits: see [`Options::int64`]. Targets without push constants
-    /// are without them.
+    /// are without them, and no scene that this changes has both.
     pub int64: bool,
     /// Runs `spirv-opt` of SPIR-V Tools on the module, which is linted again; without inlining
     /// in the exact profile, whose rules go by functions.
@@ -68,7 +68,8 @@ pub struct Bundle {
 ///
 /// # Errors
 /// Those of [`program`]; [`Error::Arguments`](crate::Error::Arguments) of a target that cannot
-/// express the scene, with the feature that it lacks; an optimiser that is
+/// express the scene, with the feature that it lacks, and of one that would have other runs than
+/// the module because it has no integers of 64 bits; an optimiser that is
 /// not there, or whose module breaks the rules.
 pub fn bundle(
     scene: &Scene,
@@ -92,6 +93,17 @@ pub fn bundle(
         let uniform = uniform.unwrap_or_else(|panic| resume_unwind(panic));
         Ok::<_, Error>((own?, uniform?))
     })?;
+    // The manifest has one set of numbers.
+    if let Some(other) = uniform.as_ref().filter(|_| own.program.form == Form::Eight) {
+        return Err(Error::Arguments {
+            asked: format!("{name} with 64-bit integers and without push constants"),
+            limit: format!(
+                "stores of eight words have runs of {}, targets in other languages of {}",
+                own.program.run, other.program.run
+            ),
+            remedy: "strip it twice: without --int64 for wgsl, hlsl, msl and godot".to_owned(),
+        });
+    }
     let interface = own.program.interface(&own.spirv)?;
     let mut files: Vec<File> = Vec::new();
     for target in targets {

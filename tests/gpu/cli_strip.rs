@@ -87,13 +87,19 @@ fn points_for_cpus_are_stored_eight_words_at_a_time() {
     desk.say("strip --sampler sobol --cpu --int64 --out .");
     assert!(text(&desk, "sobol.glsl").contains("u64vec4 samples[]"));
     let header = text(&desk, "sobol.h");
-    for part in ["RUN 16u", "SAMPLES_MULTIPLE 16u", "FIRST_MULTIPLE 16u"] {
+    for part in [
+        "RUN 16u",
+        "SAMPLES_MULTIPLE 16u",
+        "FIRST_MULTIPLE 16u",
+        "NEEDS_INT64 1u",
+    ] {
         assert!(header.contains(part), "{part} is not in:\n{header}");
     }
     let manifest = desk.bytes("manifest.json");
     let manifest: serde_json::Value = serde_json::from_slice(&manifest).unwrap();
     assert_eq!(manifest["samples_multiple"], 16);
     assert_eq!(manifest["first_multiple"], 16);
+    assert_eq!(manifest["needs_int64"], true);
     // Scenes with maps stay as they are.
     let scene = scene("diffuse_quad.toml");
     desk.say(&format!("strip {scene} --cpu --out four"));
@@ -188,6 +194,11 @@ fn what_cannot_be_is_refused_and_nothing_written() {
             "only maps have parameters",
         ),
         (format!("strip {sky} --int64"), "--cpu"),
+        // Their runs are of 48 and of 24.
+        (
+            "strip --sampler halton --dims 5 --cpu --int64 --target spirv,wgsl".to_owned(),
+            "strip it twice",
+        ),
         ("bench --scene none.toml".to_owned(), "none.toml"),
     ] {
         let out = if line.starts_with("strip") {

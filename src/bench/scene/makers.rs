@@ -1,5 +1,6 @@
 //! Ways to make the samples of a scene.
 
+use super::MOST;
 use crate::Result;
 use crate::catalog::{Mapping, Output, Profile, Request};
 use crate::interface::task;
@@ -97,9 +98,17 @@ fn mapper(device: &Arc<Device>, mapping: &Mapping, profile: Profile) -> Result<(
     Ok((mapper, Buffer::new(device, BYTES, Access::DeviceOnly)?))
 }
 
+/// The scene's request of at least [`MOST`] points, of which a renderer has those of many pixels:
+/// kernels for few are others, and make no more.
+fn many(needs: &Needs) -> Request {
+    let mut request = needs.request.clone();
+    request.count = request.count.max(MOST);
+    request
+}
+
 /// The fractions of a domain's points; the floats of one that is a plain number.
 fn points_of(needs: &Needs, domain: &Domain) -> Request {
-    let mut request = needs.request.clone();
+    let mut request = many(needs);
     let columns = request.columns.iter().copied();
     let range = domain.range();
     request.columns = columns
@@ -145,7 +154,7 @@ impl Maker for Full {
 
 /// The request of `generate` that makes the same words; `None` where there is none.
 pub(super) fn alone(needs: &Needs) -> Option<Request> {
-    let mut request = needs.request.clone();
+    let mut request = many(needs);
     request.output = Output::Floats;
     match &needs.domains[..] {
         [one] => match &one.draw {

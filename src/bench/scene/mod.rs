@@ -193,7 +193,7 @@ pub fn stock_points(needs: &Needs) -> Plan {
     })
 }
 
-/// Rounds last about so long each.
+/// Rounds last about so long each, if so many samples fit.
 const ROUND_S: f64 = 0.05;
 
 /// Samples of the first trial.
@@ -203,7 +203,7 @@ fn seconds(timing: Timing) -> f64 {
     1e-9 * timing.device_ns.unwrap_or(timing.host_ns)
 }
 
-/// Samples of a dispatch at most. Of scenes with fewer a renderer has those of many pixels.
+/// Samples of a dispatch at most.
 const MOST: u64 = 1 << 24;
 
 fn speeds(full: &mut Full, stripped: &mut Stripped, baked: Option<&mut Baked>) -> Result<Speeds> {
@@ -261,7 +261,7 @@ fn round(makers: &mut [&mut dyn Maker]) -> Result<u32> {
             slowest = slowest.max(seconds(maker.make(samples)?));
         }
         let wanted = (f64::from(samples) * ROUND_S / slowest.max(1e-9)) as u64;
-        samples = wanted.clamp(samples.into(), most.into()) as u32;
+        samples = wanted.clamp(TRIAL.min(most).into(), most.into()) as u32;
     }
     Ok(samples)
 }
@@ -281,7 +281,8 @@ pub fn verify(device: &Arc<Device>, needs: &Needs, program: &Program, words: &[u
     let sampler = Sampler::new(device, program, words)?;
     let count = needs.request.count.min(1 << 10);
     let last = needs.request.count - count;
-    for first in [0, last - last % u64::from(program.aligned)] {
+    let over = last % u64::from(program.aligned);
+    for (first, count) in [(0, count), (last - over, count + over)] {
         let got = sampler.run(first as u32, count as u32)?;
         let mut want = vec![0; got.len()];
         reference.fill(first as u32, &mut want);

@@ -3,7 +3,7 @@
 use super::{Bundle, File, table_file};
 use crate::report::hexadecimal;
 use crate::scene::{Field, LeftOut, Needs, Scene};
-use crate::strip::program::{GROUP, Program};
+use crate::strip::program::{Form, GROUP, Program};
 use crate::strip::{Contents, Part};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
@@ -48,6 +48,7 @@ pub(super) fn document(
         "record_words": program.record.words,
         "samples_multiple": program.multiple(),
         "first_multiple": program.aligned,
+        "needs_int64": program.form == Form::Eight,
         "record": program.record.fields.iter().map(field).collect::<Vec<_>>(),
         "bindings": {
             "set": 0,

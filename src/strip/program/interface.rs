@@ -1,6 +1,6 @@
 //! What a host needs to know of a scene's module.
 
-use super::{GROUP, Parameters, Program, SAMPLES};
+use super::{Form, GROUP, Parameters, Program, SAMPLES};
 use crate::strip::host::{Field, Interface, Number, Resource, identifier};
 use crate::{Error, Result};
 
@@ -64,6 +64,11 @@ impl Program {
                 "first_multiple".into(),
                 self.aligned.into(),
                 "The index of the first sample is a multiple of this".into(),
+            ),
+            number(
+                "needs_int64".into(),
+                (self.form == Form::Eight).into(),
+                "Whether the device must be opened with shaderInt64".into(),
             ),
             number(
                 "run".into(),
