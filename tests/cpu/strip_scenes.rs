@@ -11,15 +11,17 @@ mod languages;
 use corpus::{Case, files};
 use corput::bench::scene::stock_points;
 use corput::catalog::Sampler;
+use corput::compile::to_spirv_lean;
 use corput::kernels::spirv;
 use corput::scene::{Needs, Scene, parse, read};
 use corput::spirv::{describe, drop_local_names, exact_policy, lint};
-use corput::strip::program::Form;
+use corput::strip::program::{Form, Options, program};
 use corput::strip::{Bundle, BundleOptions, TARGETS, Target, bundle};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::path::Path;
 use std::process::Command;
+use std::time::Instant;
 
 /// Bytes that a scene's module may have: what it has, and a twentieth more.
 const BUDGETS: &[(&str, usize)] = &[
@@ -69,6 +71,27 @@ fn modules_are_within_their_budgets() {
             bytes > budget * 8 / 10,
             "{name} has {bytes} bytes: lower its budget of {budget}"
         );
+    }
+}
+
+/// Warm: the compiler's own declarations are read once a process. The goal is 10 ms; what is
+/// asserted leaves room for busy machines.
+#[test]
+fn compiling_takes_little_time() {
+    for sampler in ["sobol", "halton"] {
+        let mut scene = Scene::new("points").unwrap();
+        scene.sampler.value = Sampler::parse(sampler).unwrap();
+        let needs = Needs::of_points(&scene, 2, None).unwrap();
+        let program = program("points", &needs, Options::default()).unwrap();
+        let text = program.flat(false).unwrap().text;
+        let times = (0..9).map(|_| {
+            let start = Instant::now();
+            assert!(to_spirv_lean(&text).unwrap().len() > 500);
+            start.elapsed().as_secs_f64()
+        });
+        let best = times.fold(f64::INFINITY, f64::min);
+        println!("{sampler}: {:.1} ms", 1e3 * best);
+        assert!(best < 0.05, "{sampler}: {best} s");
     }
 }
 
