@@ -125,7 +125,7 @@ impl Sampler {
     /// The same also past the last sample, where points are not the sampler's: for times.
     pub(crate) fn dispatch_any(&self, results: &Buffer, first: u32, count: u32) -> Result<Timing> {
         let aligned = self.program.aligned;
-        if first % aligned != 0 {
+        if !first.is_multiple_of(aligned) {
             return Err(Error::Arguments {
                 asked: format!("samples from {first}"),
                 limit: format!("{} begins at multiples of {aligned}", self.program.name),
