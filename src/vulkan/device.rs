@@ -47,6 +47,8 @@ pub struct Device {
     lost: OnceLock<&'static str>,
     /// Nanoseconds.
     wait_limit: AtomicU64,
+    /// Nanoseconds that the driver took to make pipelines.
+    pub(super) pipelines: AtomicU64,
     owned: bool,
     instance: Arc<Instance>,
 }
@@ -199,6 +201,7 @@ impl Device {
             stranded: Mutex::default(),
             lost: OnceLock::new(),
             wait_limit: AtomicU64::new(nanoseconds(Duration::from_secs(WAIT_SECONDS))),
+            pipelines: AtomicU64::new(0),
             owned,
             instance,
             info,
@@ -225,6 +228,13 @@ impl Device {
     #[must_use]
     pub fn instance(&self) -> &Arc<Instance> {
         &self.instance
+    }
+
+    /// How long the driver took to make all pipelines so far, of modules and layouts. Drivers may
+    /// put compiling off until a pipeline is first dispatched, which is not part of it.
+    #[must_use]
+    pub fn pipeline_time(&self) -> Duration {
+        Duration::from_nanos(self.pipelines.load(Ordering::Relaxed))
     }
 
     /// The physical device.
@@ -344,6 +354,6 @@ fn find(instance: &Instance, wanted: &DeviceInfo) -> Result<(vk::PhysicalDevice,
     Ok(found.swap_remove(at))
 }
 
-fn nanoseconds(limit: Duration) -> u64 {
+pub(super) fn nanoseconds(limit: Duration) -> u64 {
     u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX)
 }

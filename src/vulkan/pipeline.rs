@@ -3,9 +3,11 @@
 use ash::vk;
 use std::fmt;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
 
 use super::baseline::inadequate;
-use super::device::Device;
+use super::device::{Device, nanoseconds};
 use super::kept::{Compiled, key};
 use super::orphan::Orphan;
 use super::{MAX_BINDINGS, failed};
@@ -78,6 +80,7 @@ impl Pipeline {
             (pipeline.compiled, pipeline.owned) = (kept, false);
             return Ok(pipeline);
         }
+        let start = Instant::now();
         // On an error, dropping `pipeline` destroys what was made.
         pipeline.create_layout()?;
         let create = vk::ShaderModuleCreateInfo::default().code(description.spirv);
@@ -88,6 +91,8 @@ impl Pipeline {
         // SAFETY: pipelines need their module no longer once they are made.
         unsafe { device.raw().destroy_shader_module(module, None) };
         pipeline.compiled.raw = compiled?;
+        let taken = nanoseconds(start.elapsed());
+        device.pipelines.fetch_add(taken, Ordering::Relaxed);
         pipeline.owned = !device.keep(key, pipeline.compiled);
         Ok(pipeline)
     }

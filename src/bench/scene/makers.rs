@@ -17,8 +17,27 @@ pub(super) trait Maker {
     fn limit(&self) -> u64;
     /// Makes the first ones.
     fn make(&mut self, count: u32) -> Result<Timing>;
-    /// Host seconds until its first samples were there.
-    fn start_s(&self) -> f64;
+    /// What it took until then.
+    fn start(&self) -> Start;
+}
+
+/// Host seconds until the first samples of a maker are there.
+#[derive(Clone, Copy)]
+pub(super) struct Start {
+    pub(super) all_s: f64,
+    /// Those of them in which the driver made pipelines.
+    pub(super) pipelines_s: f64,
+}
+
+/// Makes something, and what it needs until its first samples are there.
+fn started<M>(device: &Device, make: impl FnOnce() -> Result<M>) -> Result<(M, Start)> {
+    let (begun, before) = (Instant::now(), device.pipeline_time());
+    let made = make()?;
+    let start = Start {
+        all_s: begun.elapsed().as_secs_f64(),
+        pipelines_s: (device.pipeline_time() - before).as_secs_f64(),
+    };
+    Ok((made, start))
 }
 
 /// Bytes of a buffer of results.
@@ -31,21 +50,24 @@ pub(super) struct Stripped {
     sampler: Sampler,
     results: Buffer,
     limit: u64,
-    start_s: f64,
+    start: Start,
 }
 
 impl Stripped {
     pub(super) fn new(device: &Arc<Device>, program: &Program, words: &[u32]) -> Result<Self> {
         let limit = BYTES / (4 * u64::from(program.record.words)) / 64 * 64;
-        let start = Instant::now();
-        let results = Buffer::new(device, program.sample_bytes(limit), Access::Readback)?;
-        let sampler = Sampler::new(device, program, words)?;
-        sampler.dispatch_any(&results, 0, FIRST)?;
+        let make = || {
+            let results = Buffer::new(device, program.sample_bytes(limit), Access::Readback)?;
+            let sampler = Sampler::new(device, program, words)?;
+            sampler.dispatch_any(&results, 0, FIRST)?;
+            Ok((sampler, results))
+        };
+        let ((sampler, results), start) = started(device, make)?;
         Ok(Self {
             sampler,
             results,
             limit,
-            start_s: start.elapsed().as_secs_f64(),
+            start,
         })
     }
 }
@@ -59,38 +81,58 @@ impl Maker for Stripped {
         self.sampler.dispatch_any(&self.results, 0, count)
     }
 
-    fn start_s(&self) -> f64 {
-        self.start_s
+    fn start(&self) -> Start {
+        self.start
     }
 }
 
-/// A kernel of points for each domain, and one of its map.
+/// A domain's kernel of points, and that of its map.
+type Part = (Generator, Option<(Mapper, Buffer)>);
+
+/// The stock kernels of every domain.
 pub(super) struct Full {
-    parts: Vec<(Generator, Option<(Mapper, Buffer)>)>,
-    start_s: f64,
+    parts: Vec<Part>,
+    start: Start,
 }
 
 impl Full {
     pub(super) fn new(device: &Arc<Device>, needs: &Needs) -> Result<Self> {
-        let start = Instant::now();
-        let mut parts = Vec::new();
-        for domain in &needs.domains {
-            let request = points_of(needs, domain);
-            let generator = Generator::general(device, &request)?;
-            let mapped = match domain.draw.mapping() {
-                Some(mapping) => Some(mapper(device, mapping, request.profile)?),
-                None => None,
-            };
-            parts.push((generator, mapped));
-        }
-        let mut made = Self {
-            parts,
-            start_s: 0.0,
+        let make = || {
+            let mut parts = Vec::new();
+            for domain in &needs.domains {
+                let request = points_of(needs, domain);
+                let generator = Generator::general(device, &request)?;
+                let mapped = match domain.draw.mapping() {
+                    Some(mapping) => Some(mapper(device, mapping, request.profile)?),
+                    None => None,
+                };
+                parts.push((generator, mapped));
+            }
+            dispatch(&mut parts, FIRST)?;
+            Ok(parts)
         };
-        made.make(FIRST)?;
-        made.start_s = start.elapsed().as_secs_f64();
-        Ok(made)
+        let (parts, start) = started(device, make)?;
+        Ok(Self { parts, start })
     }
+}
+
+/// Samples of all domains.
+fn dispatch(parts: &mut [Part], count: u32) -> Result<Timing> {
+    let mut total = Timing {
+        device_ns: Some(0.0),
+        host_ns: 0.0,
+    };
+    let mut add = |one: Timing| {
+        total.host_ns += one.host_ns;
+        total.device_ns = total.device_ns.zip(one.device_ns).map(|(a, b)| a + b);
+    };
+    for (generator, mapped) in parts {
+        add(generator.dispatch(0, count.into())?);
+        if let Some((mapper, results)) = mapped {
+            add(mapper.dispatch(generator.results(), results, count.into())?);
+        }
+    }
+    Ok(total)
 }
 
 fn mapper(device: &Arc<Device>, mapping: &Mapping, profile: Profile) -> Result<(Mapper, Buffer)> {
@@ -130,25 +172,11 @@ impl Maker for Full {
     }
 
     fn make(&mut self, count: u32) -> Result<Timing> {
-        let mut total = Timing {
-            device_ns: Some(0.0),
-            host_ns: 0.0,
-        };
-        let mut add = |one: Timing| {
-            total.host_ns += one.host_ns;
-            total.device_ns = total.device_ns.zip(one.device_ns).map(|(a, b)| a + b);
-        };
-        for (generator, mapped) in &mut self.parts {
-            add(generator.dispatch(0, count.into())?);
-            if let Some((mapper, results)) = mapped {
-                add(mapper.dispatch(generator.results(), results, count.into())?);
-            }
-        }
-        Ok(total)
+        dispatch(&mut self.parts, count)
     }
 
-    fn start_s(&self) -> f64 {
-        self.start_s
+    fn start(&self) -> Start {
+        self.start
     }
 }
 
@@ -175,18 +203,18 @@ pub(super) fn alone(needs: &Needs) -> Option<Request> {
 
 pub(super) struct Baked {
     generator: Generator,
-    start_s: f64,
+    start: Start,
 }
 
 impl Baked {
     pub(super) fn new(device: &Arc<Device>, request: &Request) -> Result<Self> {
-        let start = Instant::now();
-        let mut generator = Generator::new(device, request)?;
-        generator.dispatch(0, FIRST.into())?;
-        Ok(Self {
-            generator,
-            start_s: start.elapsed().as_secs_f64(),
-        })
+        let make = || {
+            let mut generator = Generator::new(device, request)?;
+            generator.dispatch(0, FIRST.into())?;
+            Ok(generator)
+        };
+        let (generator, start) = started(device, make)?;
+        Ok(Self { generator, start })
     }
 }
 
@@ -199,7 +227,7 @@ impl Maker for Baked {
         self.generator.dispatch(0, count.into())
     }
 
-    fn start_s(&self) -> f64 {
-        self.start_s
+    fn start(&self) -> Start {
+        self.start
     }
 }

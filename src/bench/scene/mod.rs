@@ -36,6 +36,8 @@ pub struct Size {
 /// Times of one way to make samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speed {
+    /// Host seconds in which the driver made its pipelines. Some put compiling off.
+    pub pipelines_s: f64,
     /// Host seconds until the first 64 samples are there: pipelines are made, and drivers that
     /// compile when they must have done so.
     pub start_s: f64,
@@ -228,8 +230,10 @@ fn speeds(full: &mut Full, stripped: &mut Stripped, baked: Option<&mut Baked>) -
         .map(|((maker, samples), times)| {
             let median_s = median(times);
             let mut away: Vec<f64> = times.iter().map(|time| (time - median_s).abs()).collect();
+            let start = maker.start();
             Speed {
-                start_s: maker.start_s(),
+                pipelines_s: start.pipelines_s,
+                start_s: start.all_s,
                 samples: *samples,
                 median_s,
                 deviation_s: median(&mut away),

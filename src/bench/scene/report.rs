@@ -52,11 +52,17 @@ pub fn rows(one: &Comparison) -> Vec<Row> {
     };
     let rate = |speed: &Speed| f64::from(speed.samples) / speed.median_s;
     let (whole, own) = (&speeds.full, &speeds.stripped);
-    rows.push([
-        "ms until the first 64 samples".to_owned(),
-        format!("{:.1}", whole.start_s * 1e3),
-        format!("{:.1}", own.start_s * 1e3),
-        format!("{:.1}", whole.start_s / own.start_s),
+    let milliseconds = |name: &str, whole: f64, own: f64| -> Row {
+        [
+            name.to_owned(),
+            format!("{:.1}", whole * 1e3),
+            format!("{:.1}", own * 1e3),
+            format!("{:.1}", whole / own),
+        ]
+    };
+    rows.extend([
+        milliseconds("ms to make pipelines", whole.pipelines_s, own.pipelines_s),
+        milliseconds("ms until the first 64 samples", whole.start_s, own.start_s),
     ]);
     rows.push([
         "million samples a second".to_owned(),
@@ -93,6 +99,7 @@ pub fn document(one: &Comparison) -> Value {
     };
     let speed = |speed: &Speed| {
         json!({
+            "pipelines_s": speed.pipelines_s,
             "start_s": speed.start_s,
             "samples": speed.samples,
             "median_s": speed.median_s,
