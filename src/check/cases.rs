@@ -62,18 +62,20 @@ fn wide(cases: &mut Vec<Case>) -> Result<()> {
     Ok(())
 }
 
-/// So many points that a device with 64-bit integers may have a kernel for them without a loop
-/// over points, which is checked where that is so.
+/// So many points that a device with 64-bit integers may have a kernel for them that stores eight
+/// words at a time, which is checked where that is so.
 fn large(cases: &mut Vec<Case>) -> Result<()> {
-    let list: [(Sequence, Option<Scramble>, &[u64]); 8] = [
+    let list: [(Sequence, Option<Scramble>, &[u64]); 10] = [
         (Sequence::VanDerCorput, None, &[1]),
-        (Sequence::Hammersley, None, &[2]),
+        (Sequence::Hammersley, None, &[2, 3]),
         (Sequence::Sobol, None, &[1, 2, 3, 4, 8, 16]),
         (Sequence::Sobol, Some(Scramble::Matrix), &[2]),
         (Sequence::Sobol, Some(Scramble::OwenHash), &[2]),
         (Sequence::Random, None, &[1, 2, 3, 4]),
         (Sequence::RandomFast, None, &[4]),
         (Sequence::R2, None, &[1, 2, 3, 4]),
+        (Sequence::Halton, None, &[2, 3, 4]),
+        (Sequence::Halton, Some(Scramble::Permute), &[2, 3]),
     ];
     for (sequence, scramble, widths) in list {
         for &dimensions in widths {
@@ -86,6 +88,10 @@ fn large(cases: &mut Vec<Case>) -> Result<()> {
             })?);
         }
     }
+    cases.push(case("vdc base 3, many".into(), "large", |o| {
+        o.sequence = Sequence::VanDerCorput;
+        o.bases = Some(vec![3]);
+    })?);
     Ok(())
 }
 
@@ -144,8 +150,8 @@ fn change<'a>(name: impl Into<String>, change: impl Fn(&mut Options) + 'a) -> Ch
 }
 
 fn radical(kernel: &str) -> Vec<Change<'static>> {
-    // Tiles are of one to four columns, or several of four.
-    let wide = if kernel == "tile" { 12 } else { 17 };
+    // Tiles are of one to four columns, or several of four, of which two may share some.
+    let wide: &[u64] = if kernel == "tile" { &[7, 12] } else { &[17] };
     let mut list = vec![
         change("vdc", |o| o.sequence = Sequence::VanDerCorput),
         change("vdc base 3", |o| {
@@ -160,9 +166,17 @@ fn radical(kernel: &str) -> Vec<Change<'static>> {
             o.count = 1_000_003;
         }),
     ];
-    for dimensions in [2, 3, 4, wide] {
+    for &dimensions in [2, 3, 4].iter().chain(wide) {
         list.push(change(format!("halton d={dimensions}"), move |o| {
             o.dimensions = Some(dimensions);
+        }));
+    }
+    if kernel == "tile" {
+        list.push(change("sobol d=6 owen-hash", |o| {
+            o.sequence = Sequence::Sobol;
+            o.dimensions = Some(6);
+            o.scramble = Some(Scramble::OwenHash);
+            o.seed = Some(7);
         }));
     }
     list

@@ -8,7 +8,9 @@ mod plan;
 mod wide;
 
 pub use bases::{odometer_base, radical_base};
-pub use columns::{LONGEST_RUN, LinearNet, column_table, column_words, linear_net, longest_run};
+pub use columns::{
+    LONGEST_RUN, LinearNet, STORED_RUN, column_table, column_words, linear_net, longest_run,
+};
 pub use estimate::{
     general_estimate, longest_estimate, plan_estimate, plan_pixels, replan_estimate,
 };

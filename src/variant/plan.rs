@@ -1,8 +1,8 @@
 //! Which kernel a job runs, with which constants.
 
-use super::columns::{column_words, longest_run, padded};
+use super::columns::{STORED_RUN, column_words, longest_run, padded};
 use super::places::{PLACES_RUN, is_permuted, places};
-use super::wide::wide;
+use super::wide::{LEAST, wide};
 use crate::interface::{COLUMN_STRIDE, Column, Family, KERNELS, KINDS, Kernel, output};
 
 /// A job in plain words.
@@ -94,15 +94,25 @@ pub fn plan(work: &Work) -> Plan {
     ];
     let width = work.columns.len();
     let parts = width.div_ceil(4) as u64;
-    let mut plan = match tile.get(width - 1) {
-        Some(name) if words >= SMALL => tiled(name, work.columns, work.cpu),
-        None if width.is_multiple_of(4) && words >= parts * LARGE => {
-            tiled(tile[3], work.columns, work.cpu)
-        }
+    // Words one by one, so far apart, were measured on a CPU alone.
+    let rows = work.cpu || width.is_multiple_of(4);
+    let mut plan = match (eight(work, words), tile.get(width - 1)) {
+        (Some(name), _) => tiled(&name, work.columns, work.cpu),
+        (_, Some(name)) if words >= SMALL => tiled(name, work.columns, work.cpu),
+        (_, None) if rows && words >= parts * LARGE => tiled(tile[3], work.columns, work.cpu),
         _ => general(work),
     };
     plan.set("OUTPUT", output);
     plan
+}
+
+/// The kernel of tiles that stores eight words at a time, where there is one for these columns and
+/// the device, and it is worth its compilation.
+fn eight(work: &Work, words: u64) -> Option<String> {
+    let name = format!("generate_eight_{}", work.columns.len());
+    let fits = work.cpu && work.int64 && words >= LEAST;
+    let known = |kernel: &Kernel| kernel.name == format!("{name}{}", family(work.columns).suffix());
+    (fits && KERNELS.iter().any(known)).then_some(name)
 }
 
 /// The general kernel for a job without a map: the yardstick of the others.
@@ -147,10 +157,6 @@ pub(super) fn kinds(columns: &[Vec<u32>]) -> u32 {
     columns.iter().map(kind).fold(0, |kinds, kind| kinds | kind)
 }
 
-/// Points that an invocation stores in a row at most. Its neighbours in a vector write so far
-/// apart, and from 200 points on some distances took llvmpipe half as long again.
-const STORED_RUN: u32 = 192;
-
 /// A kernel of tiles of these columns.
 pub(super) fn tiled(name: &str, columns: &[Column], cpu: bool) -> Plan {
     let mut plan = Plan {
@@ -163,7 +169,9 @@ pub(super) fn tiled(name: &str, columns: &[Column], cpu: bool) -> Plan {
     };
     let has_places = plan.kernel.bindings.iter().any(|b| b.name == "places");
     let mut table = Vec::new();
-    for part in columns.chunks(4) {
+    let parts = parts(columns.len());
+    for first in &parts {
+        let part = &columns[*first..columns.len().min(first + 4)];
         // A GPU's lanes should write side by side; a CPU's run on by themselves, the longer
         // the better.
         let run = |column: &Column| match has_places && is_permuted(column) {
@@ -196,11 +204,19 @@ pub(super) fn tiled(name: &str, columns: &[Column], cpu: bool) -> Plan {
         table.resize(table.len().max(4), 0);
         plan.table = Some(table);
     }
-    plan.set("ROW", columns.len().div_ceil(4) as u32);
-    for part in 0..plan.specializations.len() {
-        plan.set_in(part, "PART", part as u32);
+    plan.set("ROW_WORDS", columns.len() as u32);
+    for (part, first) in parts.iter().enumerate() {
+        plan.set_in(part, "FIRST_COLUMN", *first as u32);
+        plan.set_in(part, "SKIPPED", (4 * part - first) as u32);
     }
     plan
+}
+
+/// The first columns of the parts of a row, of four columns each: the last begins where four are
+/// left, within the part before it.
+fn parts(width: usize) -> Vec<usize> {
+    let last = width.saturating_sub(4);
+    (0..width).step_by(4).map(|first| first.min(last)).collect()
 }
 
 /// Appends the places of a permuted column to the table, and writes where they are.
@@ -243,4 +259,19 @@ pub(super) fn kernel(name: &str, family: Family) -> &'static Kernel {
         .iter()
         .find(|kernel| kernel.name.strip_suffix(family.suffix()) == Some(name))
         .unwrap_or(&KERNELS[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parts;
+
+    #[test]
+    fn parts_cover_a_row_and_the_last_has_four_columns() {
+        assert_eq!(parts(1), [0]);
+        assert_eq!(parts(4), [0]);
+        assert_eq!(parts(5), [0, 1]);
+        assert_eq!(parts(7), [0, 3]);
+        assert_eq!(parts(12), [0, 4, 8]);
+        assert_eq!(parts(14), [0, 4, 8, 10]);
+    }
 }

@@ -4,9 +4,9 @@ use super::columns::column_words;
 use super::plan::{Plan, Work, family, kernel, kinds};
 use crate::interface::{COLUMN_STRIDE, Column, Generator, KINDS, NetScramble};
 
-/// Below so many words other kernels end long before these, which have no loop, are compiled; of
-/// more than four columns they take longer still.
-const LEAST: u64 = 1 << 24;
+/// Below so many words other kernels end long before those that store eight at a time are compiled;
+/// of more than four columns they take longer still.
+pub(super) const LEAST: u64 = 1 << 24;
 const LEAST_OF_MANY: u64 = 1 << 25;
 
 /// The plan for a device of the CPU kind, where one of these kernels makes such columns and is

@@ -37,7 +37,8 @@ fn request(sequence: Sequence, count: u64, dimensions: u64, map: Option<Mapped>)
 }
 
 /// One of each way in which points become words: four words an invocation, tiles of several
-/// lengths and widths, tiles of parts of a row, a map within, and a map of its own.
+/// lengths and widths, tiles of parts of a row, a map within, a map of its own, and tiles of parts
+/// that share columns.
 fn requests() -> Vec<Request> {
     let cone: Mapped = ("cone", &[("theta_max", &[0.5])], true);
     vec![
@@ -59,6 +60,7 @@ fn requests() -> Vec<Request> {
             1,
             Some(("exponential", &[("sigma", &[2.0])], false)),
         ),
+        request(Sequence::Halton, 700_001, 7, None),
     ]
 }
 
@@ -85,6 +87,7 @@ fn the_requests_take_every_kind_of_kernel() {
             "fused",
             "generate",
             "generate",
+            "generate_tile_4",
         ]) {
             assert!(name.starts_with(part), "{names:?}");
         }

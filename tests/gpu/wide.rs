@@ -1,5 +1,5 @@
-//! Kernels without loops over points, which large requests get where the device has integers of 64 bits: the
-//! words of the reference, from any point on, and nothing beside them.
+//! Kernels that store eight words at a time, which large requests get where the device has integers of 64 bits:
+//! the words of the reference, from any point on, and nothing beside them.
 
 mod support;
 
@@ -99,6 +99,55 @@ fn fractions_gray_order_and_other_ends_of_the_indices_too() {
     });
 }
 
+/// Points that take many instructions come in tiles, which store as much at a time.
+#[test]
+fn tiles_store_eight_words_at_a_time() {
+    let halton = Sequence::Halton;
+    let cases: [(Sequence, Option<Scramble>, u64, &[u64]); 7] = [
+        (halton, None, 0, &[1, 2, 3, 4]),
+        (halton, Some(Scramble::Permute), 0, &[1, 2, 3]),
+        (halton, Some(Scramble::Owen), 0, &[2]),
+        (halton, Some(Scramble::Faure), 0, &[3]),
+        (Sequence::Hammersley, None, 0, &[3, 4]),
+        // Where kernels without a loop cannot begin.
+        (Sequence::Hammersley, None, 7, &[2]),
+        (Sequence::VanDerCorput, None, 7, &[1]),
+    ];
+    support::on_each_device(|device| {
+        let suits = device.info().kind == DeviceKind::Cpu && device.has_int64();
+        let name = if suits {
+            "generate_eight"
+        } else {
+            "generate_tile"
+        };
+        for (sequence, scramble, first, widths) in cases {
+            for &dimensions in widths {
+                let mut options = options(sequence, scramble, dimensions);
+                if sequence == halton && dimensions == 1 {
+                    // Of base 2 alone there are shorter kernels.
+                    options.bases = Some(vec![3]);
+                }
+                if first > 0 {
+                    options.total = (sequence == Sequence::Hammersley).then_some(options.count);
+                    options.first = first;
+                    options.count -= first;
+                }
+                let request = Request::new(&options).unwrap_or_else(|error| panic!("{error}"));
+                let mut generator = Generator::new(device, &request).expect("a generator");
+                let found = generator.kernel_name();
+                assert!(found.starts_with(name), "{options:?}: {found}");
+                let last = request.count - 1000;
+                for (start, points) in [(0, 4096), (5, 1001), (1 << 15, 777), (last, 1000)] {
+                    generator.dispatch(start, points).expect("points");
+                    let wanted = expected(&request, start, points);
+                    let same = generator.read(points, |words| words == wanted);
+                    assert!(same.expect("words"), "{options:?} from {start} on");
+                }
+            }
+        }
+    });
+}
+
 /// Permuted digits come from tables.
 #[test]
 fn permuted_points_are_the_reference_s() {
@@ -170,8 +219,10 @@ fn maps_take_their_points() {
 fn recorded_points_stay_in_their_slice() {
     support::on_each_device(|device| {
         let least = device.info().limits.storage_offset_alignment.max(4);
-        for dimensions in [2, 3, 16, 32] {
-            let request = Request::new(&options(Sequence::Sobol, None, dimensions));
+        let sobol = [2, 3, 16, 32].map(|dimensions| (Sequence::Sobol, dimensions));
+        let halton = [2, 3, 6].map(|dimensions| (Sequence::Halton, dimensions));
+        for (sequence, dimensions) in sobol.into_iter().chain(halton) {
+            let request = Request::new(&options(sequence, None, dimensions));
             let request = request.expect("a request");
             let mut generator = Generator::new(device, &request).expect("a generator");
             for (start, points) in [(0u64, 2000u64), (48, 33), (3, 2000), (16, 15)] {

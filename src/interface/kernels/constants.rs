@@ -41,6 +41,25 @@ pub(super) const INDEXED: Constant = Constant {
     default: 0,
 };
 
+/// Words of a row of results, of which the kernel writes four.
+pub(super) const ROW_WORDS: Constant = Constant {
+    id: 7,
+    name: "ROW_WORDS",
+    default: 4,
+};
+/// The first of these four.
+pub(super) const FIRST_COLUMN: Constant = Constant {
+    id: 8,
+    name: "FIRST_COLUMN",
+    default: 0,
+};
+/// How many of them, from the first one on, are not written: the part before this one has.
+pub(super) const SKIPPED: Constant = Constant {
+    id: 9,
+    name: "SKIPPED",
+    default: 0,
+};
+
 /// Elements of a row of results, of which the kernel writes some.
 pub(super) const ROW: Constant = Constant {
     id: 7,

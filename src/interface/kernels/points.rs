@@ -2,9 +2,9 @@
 
 use super::super::{FAMILIES, Family, Kernel, Profile};
 use super::constants::{
-    COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, FEW_COLUMNS, INTEGRAND, MAP, OUTPUT,
-    PART, PIXEL_ROWS, PLACES, RESULTS, ROW, SIDE_BY_SIDE, TABLES, TILE, WIDE_COEFFICIENTS,
-    WITH_PDF, WORK,
+    COEFFICIENTS, COLUMNS, COORDINATES, DIMENSIONS, ESTIMATE, FEW_COLUMNS, FIRST_COLUMN, INTEGRAND,
+    MAP, OUTPUT, PIXEL_ROWS, PLACES, RESULTS, ROW_WORDS, SIDE_BY_SIDE, SKIPPED, TABLES, TILE,
+    WIDE_COEFFICIENTS, WITH_PDF, WORK,
 };
 
 /// The kernels of a family that make points: the general one, tiles of one to four
@@ -50,7 +50,7 @@ macro_rules! point_kernels {
                 name: concat!("generate_tile_4", $suffix),
                 defines: &[("TILE_COLUMNS", "4")],
                 bindings: $bindings,
-                constants: &[OUTPUT, TILE, ROW, PART],
+                constants: &[OUTPUT, TILE, ROW_WORDS, FIRST_COLUMN, SKIPPED],
                 columns: Some(($family, 4)),
                 ..points()
             },

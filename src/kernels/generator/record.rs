@@ -41,7 +41,7 @@ impl Generator {
     }
 
     /// Records the same into commands, perhaps of the caller's. One dispatch makes all points, or
-    /// one for every four columns of wide rows; a map that has a kernel of its own takes another.
+    /// one for every four columns of wide rows, or every 8 or 16; a map that has a kernel of its own takes another.
     /// Whole invocations write `target`, and what they leave over, fewer points than one makes,
     /// comes by way of a copy. Several may be in flight: they share what lies between, in order.
     ///

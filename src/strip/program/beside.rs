@@ -43,8 +43,8 @@ pub(super) fn code(column: &Column, number: usize, run: Run, samples: u64) -> Op
         let code = columns::code(column, number, run.points, samples);
         stepped(code, number, run.turn)
     };
-    // A run by odometers has as many points as these go.
-    if !run.points.is_power_of_two() {
+    // In long runs the start of a step costs nothing, and lets them begin anywhere.
+    if run.points >= LONG {
         return Some(step());
     }
     Some(match column {

@@ -7,7 +7,7 @@ use super::literal::indented;
 use super::{Form, Program, text};
 use crate::Result;
 use crate::scene::{Draw, Needs, Record};
-use crate::variant::longest_run;
+use crate::variant::{STORED_RUN, longest_run};
 use std::fmt::Write;
 
 /// The samples of such a kernel.
@@ -26,7 +26,7 @@ impl Eight {
         let columns = || needs.request.columns.iter();
         let run = Run {
             points: if columns().any(beside::is_odometer) {
-                columns().map(longest_run).min().unwrap_or(0)
+                columns().map(longest_run).fold(STORED_RUN, u32::min)
             } else {
                 match record.words {
                     1 => 32,

@@ -26,7 +26,7 @@ use super::flat::Flat;
 use super::flatten;
 use crate::catalog::{Group, Mapping, Profile};
 use crate::scene::{Choice, Draw, Needs, Record};
-use crate::variant::longest_run;
+use crate::variant::{STORED_RUN, longest_run};
 use crate::{Error, Result};
 
 pub use crate::scene::GROUP;
@@ -183,7 +183,7 @@ pub fn program(name: &str, needs: &Needs, options: Options) -> Result<Program> {
     let columns = &needs.request.columns;
     let run = if options.cpu && short {
         // Loops of four columns stay within what llvmpipe lets an invocation do.
-        let longest = columns.iter().map(longest_run).min().unwrap_or(SHORT_RUN);
+        let longest = columns.iter().map(longest_run).fold(STORED_RUN, u32::min);
         (longest / (columns.len() as u32).div_ceil(4) / 4 * 4).max(SHORT_RUN)
     } else {
         SHORT_RUN

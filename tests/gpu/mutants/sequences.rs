@@ -82,6 +82,12 @@ fn r2() -> Options {
     of(Sequence::R2, Some(Scramble::Rotate))
 }
 
+fn halton() -> Options {
+    let mut options = of(Sequence::Halton, None);
+    options.seed = None;
+    options
+}
+
 fn halton_permuted() -> Options {
     of(Sequence::Halton, Some(Scramble::Permute))
 }
@@ -297,6 +303,10 @@ pub const MUTANTS: &[Mutant] = &[
         "kernels/column_net.glsl", "NET_BIT(CHANGED(p), 2, COLUMN##c##_D2)", "NET_BIT(CHANGED(p), 2, COLUMN##c##_D3)"),
     mutant("a step by the bits of the next point", Mismatch, Wide(van_der_corput),
         "kernels/column_radical.glsl", "corput_van_der_corput(uint(p) ^ (uint(p) + 1u))", "corput_van_der_corput(uint(p) + 1u)"),
+    mutant("a pair of a tile's words twice", Mismatch, Wide(halton),
+        "kernels/generate_eight.comp", "words[w + 6u], words[w + 7u]", "words[w + 4u], words[w + 5u]"),
+    mutant("tiles that begin in each other", Mismatch, Wide(halton),
+        "kernels/generate_eight.comp", "i * (TILE / POINTS) * STORES", "i * (TILE / POINTS - 1u) * STORES"),
     mutant("a pair of words twice", Mismatch, Wide(random),
         "kernels/generate_wide.comp", "PAIR(8 * (s) + 4)", "PAIR(8 * (s) + 2)"),
     mutant("floats of Faure's inverses cut", Mismatch, Tile(halton_faure_floats),
