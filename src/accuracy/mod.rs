@@ -20,7 +20,6 @@
 mod chart;
 mod document;
 mod errors;
-mod functions;
 mod page;
 mod speed;
 mod subject;
@@ -29,7 +28,6 @@ mod subject;
 pub use chart::chart;
 pub use document::{About, COLUMNS, SCHEMA, csv, figure, floor, json, millions};
 pub use errors::{Errors, Judged, judge};
-pub use functions::{FUNCTIONS, Function};
 pub use page::page;
 pub use speed::Speed;
 pub use subject::{Subject, names, repeated, subjects};

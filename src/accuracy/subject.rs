@@ -1,9 +1,8 @@
 //! What is measured: an elementary function, or a map with parameters.
 
-use super::functions::{FRACTIONS, FUNCTIONS, Function};
 use crate::bulk::map_sample;
 use crate::catalog::{Group, Mapping, Profile, maps};
-use crate::check::{examples, truth};
+use crate::check::{ELEMENTARY, ElementaryFunction, FRACTIONS, examples, truth};
 use crate::error::nearest;
 use crate::interface::{REPEATS, map};
 use crate::judge::ulp_above;
@@ -16,14 +15,14 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub enum Subject {
     /// An elementary function.
-    Function(&'static Function),
+    Function(&'static ElementaryFunction),
     /// Samples and pdf of a map, with the parameters of its first example.
     Map(Mapping),
 }
 
 /// Every name that can be asked for, in the order of the table.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    let functions = FUNCTIONS.iter().map(|function| function.name);
+    let functions = ELEMENTARY.iter().map(|function| function.name);
     functions.chain(maps().map(|map| map.name))
 }
 
@@ -45,7 +44,7 @@ pub fn subjects(asked: &[String]) -> Result<Vec<Subject>> {
         });
     }
     let wanted = |name: &str| asked.is_empty() || asked.iter().any(|one| one == name);
-    let functions = FUNCTIONS.iter().filter(|function| wanted(function.name));
+    let functions = ELEMENTARY.iter().filter(|function| wanted(function.name));
     let mut all: Vec<Subject> = functions.map(Subject::Function).collect();
     for map in maps().filter(|map| wanted(map.name)) {
         all.extend(examples(map)?.into_iter().next().map(Subject::Map));

@@ -57,6 +57,7 @@ impl Card<'_> {
             "kernels": kernels()?,
             "fingerprint": self.fingerprint(),
             "failures": self.failures(),
+            "driver_defects": self.outcome.defects(),
             "left_out": self.outcome.left_out,
             "not_proved": self.not_proved(),
             "rows": rows,
@@ -167,7 +168,10 @@ const NOT_PROVED: &[&str] = &[
 ];
 
 /// Each stock kernel: the hash of its SPIR-V, its profile, and what the linter says.
-fn kernels() -> Result<Vec<Value>> {
+///
+/// # Errors
+/// None, if the stock kernels are as built.
+pub fn kernels() -> Result<Vec<Value>> {
     KERNELS.iter().map(kernel).collect()
 }
 

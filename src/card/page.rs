@@ -34,16 +34,22 @@ fn summary(card: &Card) -> String {
     let differ: u64 = exact().filter_map(|row| row.mismatches).sum();
     let native = rows.iter().filter(|row| row.profile == "native").count();
     let failures = card.failures();
+    let beyond = match card.outcome.defects() {
+        0 => "none of the driver's own functions is beyond them".to_owned(),
+        1 => "1 of the driver's own functions is beyond them".to_owned(),
+        many => format!("{many} of the driver's own functions are beyond them"),
+    };
     let class = if failures == 0 { "passed" } else { "failed" };
     let verdict = match failures {
-        0 => "Every row passed".to_owned(),
+        0 if card.outcome.defects() == 0 => "Every row passed".to_owned(),
+        0 => "No row failed".to_owned(),
         1 => "1 row failed".to_owned(),
         many => format!("{many} rows failed"),
     };
     format!(
         "<p class=\"{class}\">{verdict}: {differ} of {compared} results of the exact profile, in {} rows, \
          differ from the CPU's; {native} rows of the native profile were held to Vulkan's precision \
-         tables.</p>\n<dl><dt>fingerprint of the exact rows</dt><dd><code>{}</code></dd></dl>\n\
+         tables, and {beyond}.</p>\n<dl><dt>fingerprint of the exact rows</dt><dd><code>{}</code></dd></dl>\n\
          <p>Two drivers with the same fingerprint gave the same bits in every row.</p>\n",
         exact().count(),
         card.fingerprint()
@@ -55,13 +61,17 @@ fn identity(card: &Card, document: &Value) -> String {
     let (major, minor, patch) = info.api_version;
     let driver = format!("{} {}", info.driver_name, info.driver_info);
     let vulkan = format!("{major}.{minor}.{patch}");
+    let version = format!("{:#010x}", info.driver_version);
+    let ids = format!("{:#06x}, {:#06x}", info.vendor_id, info.device_id);
     let host = text(document, "host");
     facts(
         "Identity",
         &[
             ("device", &info.name),
             ("kind", info.kind.name()),
+            ("vendor and device", &ids),
             ("driver", &driver),
+            ("driver's version, in the vendor's encoding", &version),
             ("Vulkan", &vulkan),
             ("device UUID", &info.device_uuid),
             ("driver UUID", &info.driver_uuid),
@@ -98,19 +108,22 @@ fn both(rows: &[Row]) -> String {
             .name
             .trim_start_matches("native")
             .trim_start_matches(['_', ' ']);
-        let Some(exact) = rows
+        let exact = rows
             .iter()
-            .find(|row| row.profile == "exact" && row.name == name)
-        else {
-            continue;
-        };
+            .find(|row| row.profile == "exact" && row.name == name);
+        // Kernels of the native profile alone have none.
+        let cells = exact.map_or(["none".to_owned(), String::new(), String::new()], |exact| {
+            [
+                exact.compared.to_string(),
+                exact.mismatches.unwrap_or(0).to_string(),
+                bounded(exact),
+            ]
+        });
         let _ = writeln!(
             lines,
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}</tr>",
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td>{}</tr>",
             escape(name),
-            exact.compared,
-            exact.mismatches.unwrap_or(0),
-            bounded(exact),
+            cells.join("</td><td>"),
             native.compared,
             bounded(native),
             verdict(native)
@@ -183,7 +196,8 @@ fn supplement(more: &Supplement) -> String {
     let catalogue = table(
         "Extreme inputs",
         "Errors of the common formula in float, of this crate on the CPU and on this device, and of the \
-         native profile. Rows without a device are of the host alone.",
+         native profile, which has no bound here: Vulkan says how far single operations may be off. Rows without \
+         a device are of the host alone.",
         &[
             "case",
             "common formula",
@@ -284,6 +298,7 @@ fn verdict(row: &Row) -> String {
     match &row.verdict {
         Verdict::Passed => "<td>passed</td>".to_owned(),
         Verdict::Failed => format!("<td class=\"failed\">failed: {}</td>", escape(&row.witness)),
+        Verdict::Defect => format!("<td>the driver's defect: {}</td>", escape(&row.witness)),
         Verdict::Refused(reason) => format!("<td>refused: {}</td>", escape(reason)),
     }
 }

@@ -46,7 +46,7 @@ type Hashes = [BTreeMap<Key, Option<String>>; 2];
 /// Compares two files that `corput check --json` or `--report` wrote.
 ///
 /// # Errors
-/// [`Error::Document`] for a file that cannot be read or is none of these.
+/// [`Error::Document`] for a file that cannot be read, is none of these, or has no exact row.
 pub fn compare(one: &Path, other: &Path) -> Result<Comparison> {
     let [exact, native] = hashes(one)?;
     let [other_exact, other_native] = hashes(other)?;
@@ -99,6 +99,14 @@ fn hashes(path: &Path) -> Result<Hashes> {
         if of.insert((name, kernel), text("sha256")).is_some() {
             return Err(refused(format!("row {index} is there twice")));
         }
+    }
+    let [exact, _] = &hashes;
+    if exact.is_empty() {
+        return Err(Error::Document {
+            path: path.to_owned(),
+            problem: "it has no row of the exact profile".into(),
+            remedy: "compare documents of other rows: the native profile's may differ",
+        });
     }
     Ok(hashes)
 }

@@ -15,11 +15,11 @@ pub struct Further {
     pub failure: Option<String>,
 }
 
-/// One test suite, whose cases are the rows: failures with their witness, refused rows and
-/// those that there was no time for as skipped; and further ones.
+/// One test suite, whose cases are the rows: failures with their witness, refused rows,
+/// the driver's defects and those that there was no time for as skipped; and further ones.
 #[must_use]
 pub fn junit(rows: &[Row], left_out: &[String], further: &[Further], device: &str) -> String {
-    let skipped = rows.iter().filter(|row| refused(row)).count() + left_out.len();
+    let skipped = rows.iter().filter(|row| skipped(row)).count() + left_out.len();
     let seconds: f64 = rows.iter().map(|row| row.seconds).sum();
     let mut xml = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"corput check, {}\" \
@@ -56,8 +56,8 @@ pub fn junit(rows: &[Row], left_out: &[String], further: &[Further], device: &st
     xml + "</testsuite>\n</testsuites>\n"
 }
 
-fn refused(row: &Row) -> bool {
-    matches!(row.verdict, Verdict::Refused(_))
+fn skipped(row: &Row) -> bool {
+    matches!(row.verdict, Verdict::Refused(_) | Verdict::Defect)
 }
 
 fn case(row: &Row) -> String {
@@ -68,12 +68,18 @@ fn case(row: &Row) -> String {
         escape(&row.name),
         row.seconds
     );
+    let number = |value: Option<f64>| value.map_or("-".to_owned(), |x| format!("{x:e}"));
     let body = match &row.verdict {
         Verdict::Passed => String::new(),
         Verdict::Refused(reason) => format!("<skipped message=\"{}\"/>", escape(reason)),
+        Verdict::Defect => format!(
+            "<skipped message=\"the driver's defect: {} {} at {}\"/>",
+            number(row.worst),
+            escape(row.unit),
+            escape(&row.witness)
+        ),
         Verdict::Failed => {
             let differ = row.mismatches.unwrap_or(0);
-            let number = |value: Option<f64>| value.map_or("-".to_owned(), |x| format!("{x:e}"));
             format!(
                 "<failure message=\"{differ} of {} differ; worst error {}, bound {}\">{}</failure>",
                 row.compared,

@@ -2,13 +2,15 @@
 //!
 //! A row of the exact profile passes when the device's words equal the reference's and
 //! the judge finds the error within its bound; a row of the native profile when the
-//! judge finds it within what Vulkan's precision tables allow.
+//! judge finds it within what Vulkan's precision tables allow. Single functions of the driver's
+//! own that are not are its defects, and fail nothing.
 
 mod blue_noise;
 mod cases;
 mod compare;
 mod discrete;
 mod domain;
+mod elementary;
 mod estimates;
 mod functions;
 mod inputs;
@@ -16,6 +18,7 @@ mod irradiance;
 mod junit;
 mod maps;
 mod native;
+mod native_elementary;
 mod native_points;
 mod net;
 mod pairs;
@@ -31,12 +34,15 @@ mod transcendental;
 pub use blue_noise::compare_mask;
 pub use cases::cases;
 pub use compare::{Comparison, compare};
+pub(crate) use elementary::FRACTIONS;
+pub use elementary::{ELEMENTARY, ElementaryFunction};
 pub use estimates::{compare_estimates, judged_range};
 pub use functions::{compare_function, function_error, function_words};
 pub use inputs::{arguments, critical, mix, normal};
 pub use junit::{Further, junit};
 pub use maps::{compare_map, examples, fractions, judge_native, map_error, truth};
 pub use native::{NATIVE, NativeRow, compare_native};
+pub use native_elementary::compare_native_elementary;
 pub use pairs::{compare_nearest, compare_pair_sums};
 pub use points::{Case, compare_points};
 pub use reductions::{FloatSums, REDUCTIONS, Reduction, compare_reduction};
@@ -77,6 +83,13 @@ impl Outcome {
     pub fn failures(&self) -> usize {
         let failed = |row: &&Row| matches!(row.verdict, Verdict::Failed);
         self.rows.iter().filter(failed).count()
+    }
+
+    /// Functions of the driver's own that are beyond what Vulkan allows.
+    #[must_use]
+    pub fn defects(&self) -> usize {
+        let defects = |row: &&Row| matches!(row.verdict, Verdict::Defect);
+        self.rows.iter().filter(defects).count()
     }
 
     /// `Ok`, or how many rows failed.
@@ -144,6 +157,14 @@ pub fn run(
     for row in NATIVE {
         if wanted(&[row.name, "native"]) {
             tasks.push(task(row.name, move || native::check(device, row)));
+        }
+    }
+    for function in native_elementary::functions() {
+        let name = native_elementary::name(function);
+        if wanted(&[&name, "function_native", "native"]) {
+            tasks.push(task(&name, move || {
+                native_elementary::check(device, function)
+            }));
         }
     }
     for case in native_points::native_cases()? {

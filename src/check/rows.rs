@@ -12,8 +12,33 @@ pub enum Verdict {
     Passed,
     /// Not so.
     Failed,
+    /// A function of the driver's own is beyond what Vulkan allows it: that is for its makers to
+    /// mend, and breaks no promise of this crate.
+    Defect,
     /// Not run, and why: the device makes no promise for it.
     Refused(String),
+}
+
+impl Verdict {
+    /// As documents have it.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed => "failed",
+            Self::Defect => "defect",
+            Self::Refused(_) => "refused",
+        }
+    }
+
+    /// Why it was refused.
+    #[must_use]
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Refused(reason) => Some(reason),
+            _ => None,
+        }
+    }
 }
 
 /// The result of one function or kernel.
@@ -152,14 +177,19 @@ impl Row {
         self
     }
 
+    /// The same of a function that is the driver's own, whose errors are its defects.
+    #[must_use]
+    pub fn judged_of_driver(self) -> Self {
+        let mut row = self.judged();
+        if row.verdict == Verdict::Failed && row.compared > 0 {
+            row.verdict = Verdict::Defect;
+        }
+        row
+    }
+
     /// The row as JSON.
     #[must_use]
     pub fn json(&self) -> Value {
-        let (verdict, reason) = match &self.verdict {
-            Verdict::Passed => ("passed", None),
-            Verdict::Failed => ("failed", None),
-            Verdict::Refused(reason) => ("refused", Some(reason.clone())),
-        };
         json!({
             "name": self.name,
             "kernel": self.kernel,
@@ -173,8 +203,8 @@ impl Row {
             "witness": self.witness,
             "sha256": self.sha256,
             "seconds": self.seconds,
-            "verdict": verdict,
-            "reason": reason,
+            "verdict": self.verdict.name(),
+            "reason": self.verdict.reason(),
         })
     }
 }

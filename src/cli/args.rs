@@ -118,11 +118,11 @@ pub struct CheckArgs {
     /// Write the rows as JUnit XML too.
     #[arg(long, value_name = "FILE")]
     pub junit: Option<PathBuf>,
-    /// Check nothing: compare the hashes of two documents that --json wrote.
+    /// Check nothing: compare the hashes of the exact rows of two documents that --json wrote.
     #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["device", "seconds", "junit", "only", "report"])]
     pub compare: Option<Vec<PathBuf>>,
     /// Check the catalogue of extreme inputs instead: errors of common formulas, of the CPU, and
-    /// of the device in both profiles.
+    /// of the device in both profiles; with --device cpu of the CPU alone.
     #[arg(long, conflicts_with_all = ["seconds", "junit", "only", "report", "compare"])]
     pub extreme: bool,
     /// Check functions over all their inputs instead: those of one word and the radical inverses in

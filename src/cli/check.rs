@@ -117,6 +117,7 @@ pub fn sign(verdict: &Verdict) -> &'static str {
     match verdict {
         Verdict::Passed => "ok",
         Verdict::Failed => "FAILED",
+        Verdict::Defect => "DEFECT",
         Verdict::Refused(_) => "refused",
     }
 }
@@ -143,7 +144,7 @@ fn table(outcome: &Outcome) -> Table {
             row.unit.to_owned(),
         ]);
         match &row.verdict {
-            Verdict::Failed => {
+            Verdict::Failed | Verdict::Defect => {
                 table.add_row(["", &format!("  {}", row.witness)]);
             }
             Verdict::Refused(reason) => {
@@ -198,6 +199,11 @@ fn summary(outcome: &Outcome) -> String {
         .map(|row| row.compared)
         .sum();
     let refused = count(&|row| matches!(row.verdict, Verdict::Refused(_)));
+    let defects = match outcome.defects() {
+        0 => String::new(),
+        1 => "; 1 function of the driver's own is beyond what Vulkan allows".to_owned(),
+        many => format!("; {many} functions of the driver's own are beyond what Vulkan allows"),
+    };
     let left_out = match outcome.left_out.len() {
         0 => String::new(),
         left => format!(
@@ -207,7 +213,7 @@ fn summary(outcome: &Outcome) -> String {
     };
     format!(
         "{} of {} rows failed, {refused} refused; exact profile: {differ} of {compared} results in \
-         {exact} rows differ from the CPU's{left_out}",
+         {exact} rows differ from the CPU's{defects}{left_out}",
         outcome.failures(),
         outcome.rows.len()
     )

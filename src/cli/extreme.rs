@@ -1,14 +1,21 @@
 //! `corput check --extreme`.
 
-use super::{host, print};
+use super::{arguments, host, print};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use corput::Error;
 use corput::extreme::{self, COVERED, Counts, Row};
 
 pub fn run(device: Option<&str>, json: bool) -> anyhow::Result<()> {
-    let device = host::open(device)?;
-    let rows = extreme::run(&device)?;
-    let line = host::line(device.info());
+    let on_cpu = host::is_cpu(host::asked(device).as_deref());
+    let device = match on_cpu {
+        true => None,
+        false => Some(host::open(device)?),
+    };
+    let rows = match &device {
+        Some(device) => extreme::run(device)?,
+        None => extreme::run_on_cpu()?,
+    };
+    let line = arguments::device(device.as_ref());
     let counts = Counts::of(&rows);
     if json {
         let document = extreme::json(&line, &host::command(), &rows);
@@ -24,7 +31,9 @@ pub fn run(device: Option<&str>, json: bool) -> anyhow::Result<()> {
         }
         print(&summary(counts));
     }
-    host::validated(device.instance())?;
+    if let Some(device) = &device {
+        host::validated(device.instance())?;
+    }
     if counts.failed > 0 {
         return Err(Error::CheckFailed {
             failures: counts.failed,
@@ -60,7 +69,7 @@ fn table(rows: &[Row]) -> Table {
             case.input.clone(),
             error(Some(case.naive), ""),
             error(Some(case.ours), ""),
-            error(row.device, "host"),
+            error(row.device, "-"),
             error(row.native, "-"),
             format!("{:.0e}", case.bound),
         ]);
@@ -78,7 +87,7 @@ fn table(rows: &[Row]) -> Table {
 
 fn summary(counts: Counts) -> String {
     format!(
-        "{} of {} rows failed; {} ran on the device, {} on the host alone; the common formula is beyond \
+        "{} of {} rows failed; {} ran on the device, {} on the CPU alone; the common formula is beyond \
          the bound in {}, the native profile in {} of its {}; {} other cases are tested elsewhere",
         counts.failed,
         counts.rows,

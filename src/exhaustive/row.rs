@@ -205,11 +205,6 @@ impl Row {
     /// The row as JSON.
     #[must_use]
     pub fn json(&self) -> Value {
-        let (verdict, reason) = match &self.verdict {
-            Verdict::Passed => ("passed", None),
-            Verdict::Failed => ("failed", None),
-            Verdict::Refused(reason) => ("refused", Some(reason.clone())),
-        };
         let (hash, published) = match &self.hash {
             Hash::Equal => ("equal", Some(&self.sha256)),
             Hash::Unpublished => ("not published", None),
@@ -237,8 +232,8 @@ impl Row {
             "hash": hash,
             "published": published,
             "seconds": self.seconds,
-            "verdict": verdict,
-            "reason": reason,
+            "verdict": self.verdict.name(),
+            "reason": self.verdict.reason(),
         })
     }
 }

@@ -1,8 +1,8 @@
 //! The cases on a device: words that must be the reference's, and errors of both profiles.
 
 use super::{Case, Subject};
-use crate::accuracy;
 use crate::catalog::{FUNCTIONS, Mapping, Profile};
+use crate::check::{ELEMENTARY, function_words};
 use crate::interface::task;
 use crate::kernels::{Elementary, Evaluator, Mapper};
 use crate::vulkan::Device;
@@ -54,12 +54,18 @@ impl Row {
     }
 }
 
-/// Why a case fails, if it does; a NaN is within no bound.
+/// Why the CPU fails a case, if it does; a NaN is within no bound.
+fn of_cpu(case: &Case) -> Option<String> {
+    let (ours, bound) = (case.ours, case.bound);
+    let within = ours <= bound;
+    (!within).then(|| format!("the CPU errs by {ours:e}, not {bound:e}"))
+}
+
+/// Why a case fails on a device, if it does.
 fn failure(case: &Case, words: Option<&[u32]>) -> Option<String> {
     let bound = case.bound;
-    let within = |error: f64| error <= bound;
-    if !within(case.ours) {
-        return Some(format!("the CPU errs by {:e}, not {bound:e}", case.ours));
+    if let Some(why) = of_cpu(case) {
+        return Some(why);
     }
     let expected = case.subject.reference()?;
     let Some(words) = words else {
@@ -71,7 +77,22 @@ fn failure(case: &Case, words: Option<&[u32]>) -> Option<String> {
         ));
     }
     let error = case.error(words);
-    (!within(error)).then(|| format!("the device errs by {error:e}, not {bound:e}"))
+    let within = error <= bound;
+    (!within).then(|| format!("the device errs by {error:e}, not {bound:e}"))
+}
+
+/// All cases on the CPU alone, where the only verdict is that of its errors.
+///
+/// # Errors
+/// Those of [`cases`](super::cases).
+pub fn run_on_cpu() -> Result<Vec<Row>> {
+    let row = |case: Case| Row {
+        device: None,
+        native: None,
+        failure: of_cpu(&case),
+        case,
+    };
+    Ok(super::cases()?.into_iter().map(row).collect())
 }
 
 /// All cases on a device. The device keeps the pipelines until it is dropped.
@@ -143,11 +164,11 @@ fn evaluated(device: &Arc<Device>, name: &str, calls: &[[u32; 4]]) -> Result<Vec
 /// Results of the native profile, if it has this function of these very arguments: both
 /// profiles' reference must say the same.
 fn native(device: &Arc<Device>, name: &str, calls: &[[u32; 4]]) -> Result<Vec<Vec<u32>>> {
-    let Some(function) = accuracy::FUNCTIONS.iter().find(|one| one.name == name) else {
+    let Some(function) = ELEMENTARY.iter().find(|one| one.name == name) else {
         return Ok(Vec::new());
     };
     let same = |&[x, y, z, w]: &[u32; 4]| {
-        let exact = crate::check::function_words(name, [x, y, z, w]);
+        let exact = function_words(name, [x, y, z, w]);
         function.reference([x, y, z]).get(..function.width) == exact.get(..function.width)
     };
     if !calls.iter().all(same) {

@@ -1,5 +1,6 @@
 //! The rows as JSON.
 
+use super::formulas::formula;
 use super::{COVERED, Row};
 use serde_json::{Value, json};
 
@@ -83,6 +84,7 @@ fn row(row: &Row) -> Value {
         "subject": case.subject.name(),
         "truth": case.truth.values,
         "truth_source": case.truth.source.name(),
+        "formula": formula(case),
         "common_formula": case.naive,
         "cpu": case.ours,
         "bound": case.bound,

@@ -10,6 +10,7 @@ mod device;
 mod document;
 mod elementary;
 mod figures;
+mod formulas;
 mod heuristics;
 mod page;
 mod pictures;
@@ -21,7 +22,7 @@ mod truth;
 
 pub use case::{Case, Measure, Reading, Source, Subject, Truth};
 pub use covered::{By, COVERED, Covered};
-pub use device::{Given, Row, run};
+pub use device::{Given, Row, run, run_on_cpu};
 pub use document::{Counts, SCHEMA, json, rows_json};
 pub use page::page;
 

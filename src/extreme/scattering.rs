@@ -76,7 +76,14 @@ pub(super) fn lobes() -> Result<Vec<Case>> {
 }
 
 fn lobe(row: Scattering) -> Result<Option<Case>> {
-    let numbers: Vec<String> = row.inputs.iter().map(|x| (*x as f32).to_string()).collect();
+    // The last two of a sample are its fractions of 2^32.
+    let words = match row.what {
+        "cap" | "phase" => 2,
+        _ => 0,
+    };
+    let (floats, words) = row.inputs.split_at(row.inputs.len().saturating_sub(words));
+    let mut numbers: Vec<String> = floats.iter().map(|x| (*x as f32).to_string()).collect();
+    numbers.extend(words.iter().map(|x| (*x as u32).to_string()));
     let input = format!("{} {}", row.what, numbers.join(", "));
     let vector = |x: f64, y: f64, z: f64| vec3(x as f32, y as f32, z as f32);
     let host = |naive: f32, ours: f32| {

@@ -41,7 +41,7 @@ const LEVELS: [&[&str]; 10] = [
 ];
 
 /// Imports within one level: (module, module it uses).
-const SIDEWAYS: &[(&str, &str)] = &[("plot", "report"), ("extreme", "accuracy")];
+const SIDEWAYS: &[(&str, &str)] = &[("plot", "report")];
 
 /// Words that a module must not name, comments and all: (module, word).
 const UNSPEAKABLE: &[(&str, &[&str])] = &[

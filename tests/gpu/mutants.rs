@@ -72,7 +72,10 @@ fn every_mutant_is_killed() {
                 Some((by, figures)) => {
                     println!("{name}: {by:?}: {figures}");
                     if by != *killer {
-                        survived(format!("{name}: killed by {by:?}, not {killer:?}"));
+                        survived(format!(
+                            "{name}: killed by {by:?}, not {killer:?}\n{}",
+                            edit.diff()
+                        ));
                     }
                 }
                 None => survived(format!("{name} on {target:?}\n{}", edit.diff())),

@@ -5,7 +5,7 @@ use corput::interface::task;
 
 use super::Killer::{Judge, Linter, Mismatch};
 use super::{Mutant, mutant, twice};
-use crate::harness::Target::{self, Function, Generate, Native, Portable, Tile};
+use crate::harness::Target::{self, Function, Generate, Native, NativeElementary, Portable, Tile};
 
 fn points(bases: &[u64], fractions: bool) -> Options {
     let mut options = Options::new(Sequence::Halton, 1 << 16);
@@ -21,6 +21,13 @@ fn fractions() -> Options {
 
 fn floats() -> Options {
     points(&[2, 3], false)
+}
+
+/// A row of two parts that share a column, of as many words as tiles are worth.
+fn ragged() -> Options {
+    let mut options = Options::new(Sequence::Halton, 1 << 20);
+    options.dimensions = Some(7);
+    options
 }
 
 fn grid() -> Options {
@@ -176,11 +183,33 @@ pub const MUTANTS: &[Mutant] = &[
     // Kernels.
     mutant("the second half of a tile's store repeats the first", Mismatch, Tile(floats),
         "kernels/generate_tile.comp", "results[at + 1u] = uvec4(p[2].xy, p[3].xy);", "results[at + 1u] = uvec4(p[0].xy, p[1].xy);"),
+    mutant("a part of a row in place of another", Mismatch, Tile(ragged),
+        "kernels/generate_tile.comp", " + FIRST_COLUMN;", ";"),
+    mutant("a column of a ragged row that no part stores", Mismatch, Tile(ragged),
+        "kernels/generate_tile.comp", "if (k >= SKIPPED)", "if (k > SKIPPED)"),
+    mutant("words of a ragged row beside their places", Mismatch, Tile(ragged),
+        "kernels/generate_tile.comp", "[(word + k) % 4u]", "[k]"),
     // The native profile, which has no reference.
     mutant("sine and cosine swapped", Judge, Native("native_polar_disk"),
         "corput/native/disk.glsl", "radius * cos(phi), radius * sin(phi)", "radius * sin(phi), radius * cos(phi)"),
     mutant("pi to two places", Judge, Native("native_cosine_hemisphere_polar"),
         "corput/native/disk.glsl", "6.2831853 *", "6.28 *"),
+    mutant("a native quotient 8 ULP off", Judge, NativeElementary("divide"),
+        "kernels/function.comp", "x / y)", "x / y * 1.000001)"),
+    mutant("a native root 8 ULP off", Judge, NativeElementary("sqrt"),
+        "kernels/function.comp", "corput_sqrt(p), sqrt(p)", "corput_sqrt(p), sqrt(p) * 1.000001"),
+    mutant("a native product 2 ULP off", Judge, NativeElementary("multiply"),
+        "kernels/function.comp", "x * y)", "x * y * 1.0000003)"),
+    mutant("a native sine of pi to three places", Judge, NativeElementary("cos_sin"),
+        "kernels/function.comp", "6.2831853 *", "6.282 *"),
+    mutant("a native arc tangent 2^-10 off", Judge, NativeElementary("atan2"),
+        "kernels/function.comp", "corput_native_turns(vec2(x, y))", "corput_native_turns(vec2(x, y)) * 1.001"),
+    mutant("a native binary logarithm 2^-20 off", Judge, NativeElementary("log2"),
+        "kernels/function.comp", "corput_log2(p), log2(p))", "corput_log2(p), log2(p) + 1e-6)"),
+    mutant("a term less of the native logarithm's series", Judge, NativeElementary("negative_log"),
+        "corput/native/free_flight.glsl", "0.33333334 + x * (0.25", "0.33333334 + x * (0.24"),
+    mutant("a native logarithm 2^-20 off", Judge, NativeElementary("log"),
+        "kernels/function.comp", "corput_log(p), log(p))", "corput_log(p), log(p) + 1e-6)"),
     mutant("1/pi to two places", Judge, Native("native_cosine_hemisphere"),
         "corput/native/hemisphere.glsl", "* 0.31830989;\n}\n\n// The fractions that give this direction.\nuvec2 corput_native_cosine_hemisphere_invert",
         "* 0.32;\n}\n\n// The fractions that give this direction.\nuvec2 corput_native_cosine_hemisphere_invert"),

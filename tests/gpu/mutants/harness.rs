@@ -8,10 +8,10 @@ use corput::catalog::{
     Engine, FUNCTIONS, Function, Integrand, Map, Options, Output, Profile, Request, Sequence,
     examples,
 };
-use corput::check::{self, Case, NATIVE, Row, arguments};
-use corput::interface::{Column, Kernel, Profile as KernelProfile};
+use corput::check::{self, Case, ELEMENTARY, ElementaryFunction, NATIVE, Row, arguments};
+use corput::interface::{Column, Kernel, Profile as KernelProfile, task};
 use corput::kernels::{
-    Estimator, Evaluator, Generator, Mapper, Pairs, Reducer, VoidAndCluster, kernel,
+    Elementary, Estimator, Evaluator, Generator, Mapper, Pairs, Reducer, VoidAndCluster, kernel,
 };
 use corput::variant::{FusedMap, Plan, Work, general, general_estimate, plan, plan_estimate};
 use corput::vulkan::{Device, DeviceKind};
@@ -63,6 +63,8 @@ pub enum Target {
     Portable(&'static str),
     /// A native function, which only the judge knows.
     Native(&'static str),
+    /// An elementary function of the device's own.
+    NativeElementary(&'static str),
     /// Dither masks.
     Mask,
     /// Points by the general kernel.
@@ -109,6 +111,11 @@ pub fn run(device: &Arc<Device>, edit: Option<&Edit>, target: Target) -> Outcome
             let row = native_row(name);
             Evaluator::with_module(device, "evaluate_native", row.id, &words)
                 .and_then(|evaluator| check::compare_native(&evaluator, row, &arguments(row.kind)))
+        }
+        Target::NativeElementary(name) => {
+            let function = elementary(name);
+            Elementary::with_module(device, function.id, Profile::Native, task::SAMPLE, &words)
+                .and_then(|kernel| check::compare_native_elementary(&kernel, function))
         }
         Target::Map(name, task) => mapped(device, name, task, &words),
         Target::Estimate(name) | Target::EstimateTile(name) => {
@@ -181,6 +188,7 @@ pub fn row(device: &Device, target: Target) -> &'static Kernel {
         Target::Function(name) => named(function_row(name).kernel),
         Target::Portable(_) => named("evaluate_portable"),
         Target::Native(_) => named("evaluate_native"),
+        Target::NativeElementary(_) => named(Elementary::kernel(Profile::Native)),
         Target::Map(name, _) => named(map(name).group.kernel(Profile::Exact)),
         Target::Estimate(name) | Target::EstimateTile(name) => {
             let problems = examples(integrand(name)).unwrap_or_else(|error| panic!("{error}"));
@@ -278,6 +286,11 @@ fn function_row(name: &str) -> &'static Function {
 fn native_row(name: &str) -> &'static check::NativeRow {
     let found = NATIVE.iter().find(|row| row.name == name);
     found.unwrap_or_else(|| panic!("no native function {name}"))
+}
+
+fn elementary(name: &str) -> &'static ElementaryFunction {
+    let found = ELEMENTARY.iter().find(|function| function.name == name);
+    found.unwrap_or_else(|| panic!("no elementary function {name}"))
 }
 
 fn request(options: fn() -> Options) -> Request {

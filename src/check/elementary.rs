@@ -5,7 +5,7 @@ use crate::reference::{elementary, exponential, logarithm, normal_quantile};
 
 /// An elementary function.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Function {
+pub struct ElementaryFunction {
     /// Its name: that of the GLSL function without `corput_`.
     pub name: &'static str,
     /// Value of the kernel's constant `FUNCTION`.
@@ -24,14 +24,14 @@ const HALF: f64 = 0.5;
 
 const MODERATE: &str = "floats from 2^-26 to 2^6, either sign";
 const POSITIVE: &str = "floats from 2^-26 to 2^6";
-pub(super) const FRACTIONS: &str = "fractions of 2^32";
+pub(crate) const FRACTIONS: &str = "fractions of 2^32";
 
 /// Every one of them, by id.
-pub const FUNCTIONS: &[Function] = &[
+pub const ELEMENTARY: &[ElementaryFunction] = &[
     function("sqrt", 0, 0.0, POSITIVE),
     function("divide", 1, 0.0, MODERATE),
     function("multiply", 2, 0.0, MODERATE),
-    Function {
+    ElementaryFunction {
         width: 2,
         ..function("cos_sin", 3, HALF, FRACTIONS)
     },
@@ -45,8 +45,13 @@ pub const FUNCTIONS: &[Function] = &[
     function("normal_quantile", 10, HALF, FRACTIONS),
 ];
 
-const fn function(name: &'static str, id: u32, floor: f64, domain: &'static str) -> Function {
-    Function {
+const fn function(
+    name: &'static str,
+    id: u32,
+    floor: f64,
+    domain: &'static str,
+) -> ElementaryFunction {
+    ElementaryFunction {
         name,
         id,
         width: 1,
@@ -60,7 +65,23 @@ fn moderate(word: u32) -> f32 {
     f32::from_bits((word & 0x807f_ffff) | ((101 + ((word >> 23) & 31)) << 23))
 }
 
-impl Function {
+impl ElementaryFunction {
+    /// The magnitude of the float that the kernel makes of a word.
+    pub(super) fn positive(&self, a: u32) -> f64 {
+        f64::from(moderate(a).abs())
+    }
+
+    /// What the kernel makes of words, as a message has it.
+    pub(super) fn input(&self, [a, b]: [u32; 2]) -> String {
+        let (x, y) = (moderate(a), moderate(b));
+        match (self.domain, self.name) {
+            (FRACTIONS, _) => format!("u = {a} 2^-32"),
+            (POSITIVE, _) => format!("x = {:e}", x.abs()),
+            (_, "exp" | "exp2") => format!("x = {x:e}"),
+            _ => format!("x = {x:e}, y = {y:e}"),
+        }
+    }
+
     /// `evaluate` of `function.comp`, line by line.
     #[must_use]
     pub fn reference(&self, [a, b, _]: [u32; 3]) -> [u32; 4] {
