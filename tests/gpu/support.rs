@@ -104,6 +104,12 @@ pub fn on_each_device(test: impl Fn(&Arc<Device>)) {
             reason: "none listed".to_owned()
         }
     );
+    if let Some(least) = std::env::var_os("CORPUT_DRIVERS") {
+        let least: Option<usize> = least.to_str().and_then(|least| least.parse().ok());
+        let least = least.expect("CORPUT_DRIVERS is a number of devices");
+        let found = devices.len();
+        assert!(found >= least, "{found} devices, CORPUT_DRIVERS={least}");
+    }
     for info in &devices {
         on_device(&instance, info, &test);
     }

@@ -64,6 +64,8 @@ pub fn points_by(
 
 /// The same of a request, whose output is as `kind` says.
 pub fn requested(device: &Arc<Device>, (kind, by): (Kind, By), request: &Request) -> Vec<Vec<u64>> {
+    // Most requests of a test are of the same pipelines, and compiling them is what takes time.
+    device.keep_pipelines();
     let width = request.columns.len();
     let mut rows = Vec::with_capacity(request.count as usize);
     let unit = |word: u32| match kind {
