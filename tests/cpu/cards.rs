@@ -2,7 +2,7 @@
 //! the README's table, which is made of them.
 
 use corput::bulk::Reference;
-use corput::card::SCHEMA;
+use corput::card::{SCHEMA, kernels};
 use corput::catalog::{Engine, FUNCTIONS};
 use corput::check::{Row, arguments, cases, compare_points, function_words};
 use serde_json::Value;
@@ -59,6 +59,43 @@ fn both_drivers_gave_the_same_bits() {
     assert!(one.values().all(|hash| hash.len() == 64));
 }
 
+/// Cards of other kernels would say nothing of these.
+#[test]
+fn the_kernels_are_those_of_today() {
+    let today = kernels().expect("the stock kernels are as built");
+    for driver in DRIVERS {
+        let card = card(driver);
+        let listed = card["kernels"].as_array().expect("kernels");
+        for (one, other) in listed.iter().zip(&today) {
+            assert_eq!(one, other, "{driver}: {AGAIN}");
+        }
+        assert_eq!(listed.len(), today.len(), "{driver}: {AGAIN}");
+    }
+}
+
+/// llvmpipe's vectors of other widths and other numbers of threads, in their order.
+const OTHERS: [&str; 6] = [
+    "llvmpipe-0-threads",
+    "llvmpipe-1-threads",
+    "llvmpipe-128-bits",
+    "llvmpipe-2-threads",
+    "llvmpipe-256-bits",
+    "llvmpipe-512-bits",
+];
+
+#[test]
+fn vectors_and_threads_do_not_show() {
+    let text = std::fs::read_to_string(path("docs/cards/fingerprints.json"));
+    let found: BTreeMap<String, String> =
+        serde_json::from_str(&text.expect("it is there")).expect("it is JSON");
+    let names: Vec<&str> = found.keys().map(String::as_str).collect();
+    let mut expected = [&DRIVERS[..], &OTHERS[..]].concat();
+    expected.sort_unstable();
+    assert_eq!(names, expected, "{AGAIN}");
+    let fingerprint = &card(DRIVERS[0])["fingerprint"];
+    assert!(found.values().all(|one| one == fingerprint), "{found:?}");
+}
+
 /// Functions and points: what the drivers gave is what the reference gives today.
 #[test]
 fn the_hashes_are_the_reference_s() {
@@ -104,7 +141,8 @@ const END: &str = "<!-- end -->\n";
 /// `CORPUT_WRITE_TABLES=1 cargo test --all-features --test cards` writes it.
 #[test]
 fn the_readme_has_their_figures() {
-    let mut table = "| driver | exact rows | results compared | that differ from the CPU's | native rows in Vulkan's bounds | hash of all exact rows |\n|---|---|---|---|---|---|\n".to_owned();
+    let mut defects = String::new();
+    let mut table = "| driver | exact rows | results compared | that differ from the CPU's | native rows within what Vulkan allows | hash of all exact rows |\n|---|---|---|---|---|---|\n".to_owned();
     for driver in DRIVERS {
         let card = card(driver);
         let rows = card["rows"].as_array().expect("rows");
@@ -120,6 +158,16 @@ fn the_readme_has_their_figures() {
             .iter()
             .filter(|row| row["verdict"] == "passed")
             .count();
+        for row in native.iter().filter(|row| row["verdict"] == "defect") {
+            defects += &format!(
+                "- {driver}: `{}`, {:.3} {} at {}\n",
+                row["name"].as_str().expect("a name"),
+                // What is no number is `null`.
+                row["worst"].as_f64().unwrap_or(f64::INFINITY),
+                row["unit"].as_str().expect("a unit"),
+                row["witness"].as_str().expect("an input"),
+            );
+        }
         let device = &card["device"];
         let text = |value: &Value| value.as_str().expect("a text").to_owned();
         let title = text(&device["name"]) + " " + &text(&device["driver"]["info"]);
@@ -133,6 +181,9 @@ fn the_readme_has_their_figures() {
             native.len(),
             &card["fingerprint"].as_str().expect("a fingerprint")[..16],
         );
+    }
+    if !defects.is_empty() {
+        table += &format!("\nDefects of the drivers, in functions of their own:\n\n{defects}");
     }
     let readme = std::fs::read_to_string(path("README.md")).expect("it is there");
     let (before, rest) = readme.split_once(BEGIN).expect("the table's beginning");

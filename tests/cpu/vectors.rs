@@ -26,6 +26,21 @@ fn the_manifest_is_the_committed_one() {
     assert_eq!(manifest, committed);
 }
 
+#[test]
+fn the_readme_counts_them() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+    let readme = std::fs::read_to_string(path).expect("it is there");
+    let manifest = vectors::manifest().expect("the catalogue is right");
+    let text = manifest.to_string();
+    let files: BTreeSet<&str> = text
+        .split("\"file\":\"")
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+        .collect();
+    let line = format!("# {} .npy files", files.len());
+    assert!(readme.contains(&line), "{line}");
+}
+
 /// Every file that the manifest names, and the sources, are there and no others.
 #[test]
 fn files_hold_what_the_manifest_says() {
