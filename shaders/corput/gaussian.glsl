@@ -7,7 +7,7 @@
 // range:  to 6.338 sigma by quantiles, to 6.661 sigma by the polar method.
 // pdf:    with respect to length or area, e^(-x^2 / (2 sigma^2)) / (sqrt(2 pi) sigma) a
 //         coordinate. That of a sample is the one before its coordinates are rounded.
-// errors: coordinates 0.54 ULP, polar ones 0.6 ULP; pdf of a sample 1.5 ULP a coordinate,
+// errors: coordinates 0.57 ULP, polar ones 0.6 ULP; pdf of a sample 1.5 ULP a coordinate,
 //         polar 0.6 ULP, of a value 1 ULP a coordinate within 6.7 sigma. An inverse returns the fraction to 4 units where the float
 //         still tells: z^2 2^-24 of the tail.
 // cost:   300 integer instructions a coordinate. tier I.

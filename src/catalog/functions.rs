@@ -209,7 +209,7 @@ pub const FUNCTIONS: &[Function] = &[
         "normal_quantile",
         4,
         Kind::Word,
-        0.54,
+        0.55,
         "ULP",
     ),
     elementary(

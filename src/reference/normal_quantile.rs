@@ -7,7 +7,7 @@
 //! e^(-z^2/2). Coefficients: `scripts/elementary_polynomials.py`. Domain: all fractions u
 //! of 2^32, which stand for the midpoints (2 u + 1) / 2^33: 0 and 1 are not among them,
 //! so that nothing is infinite, and ~u gives exactly -z. Range: quantiles from -6.33796
-//! to 6.33796, reals within 2^-28 of themselves, floats 0.54 ULP; tails within 2^-26 of
+//! to 6.33796, reals within 2^-28 of themselves, floats 0.55 ULP; tails within 2^-26 of
 //! themselves, densities within 2^-29 for |z| <= 2^5. The fraction of a quantile differs
 //! from its own by 4 units at most. Tier I.
 //! Mirror: `shaders/corput/normal_quantile.glsl`.

@@ -26,6 +26,9 @@ const BASE: Map = Map {
     source: "",
 };
 
+/// A quantile is a real within 2^-28, whose product with the deviation is rounded twice.
+const QUANTILE_ULP: f64 = 0.57;
+
 /// log and division of a device may be off by 3 and 2.5 ULP, and so may our polynomials.
 const NATIVE_LOG: f64 = 1e-5;
 
@@ -85,6 +88,7 @@ pub(super) const MAPS: &[Map] = &[
         examples: SCALES,
         measure: "length",
         pdf: "e^(-x^2 / (2 sigma^2)) / (sqrt(2 pi) sigma)",
+        ulp: QUANTILE_ULP,
         pdf_ulp: 1.5,
         summary: "normal distribution of mean 0, by its quantile",
         source: "Giles 2010",
@@ -98,6 +102,7 @@ pub(super) const MAPS: &[Map] = &[
         prepare: scales,
         examples: SCALES,
         pdf: "e^(-(x^2 + y^2) / (2 sigma^2)) / (2 pi sigma^2)",
+        ulp: QUANTILE_ULP,
         pdf_ulp: 2.5,
         summary: "two normal distributions by quantiles, which keeps nets",
         source: "Giles 2010",
