@@ -75,19 +75,7 @@ pub fn of(job: &Job) -> Vec<Named> {
                 }
             },
         )],
-        Kind::SobolScrambled => vec![shares(
-            job,
-            "sobol_burley 0.5",
-            |first| first as u32,
-            // It keeps 2^16 points, after which they repeat.
-            move |first, part| {
-                for (i, row) in (first..).zip(part.chunks_exact_mut(dimensions)) {
-                    for (set, four) in (0..).zip(row.chunks_exact_mut(4)) {
-                        four.copy_from_slice(&sobol_burley::sample_4d(i % (1 << 16), set, 1));
-                    }
-                }
-            },
-        )],
+        Kind::SobolScrambled => vec![burley(job), openqmc(job)],
         Kind::Random => vec![shares(
             job,
             "rand_pcg 0.10 (Pcg64Mcg)",
@@ -105,6 +93,42 @@ pub fn of(job: &Job) -> Vec<Named> {
             },
         )],
     }
+}
+
+/// It keeps 2^16 points, after which they repeat.
+fn burley(job: &Job) -> Named {
+    let dimensions = job.dimensions;
+    shares(
+        job,
+        "sobol_burley 0.5",
+        |first| first as u32,
+        move |first, part| {
+            for (i, row) in (first..).zip(part.chunks_exact_mut(dimensions)) {
+                for (set, four) in (0..).zip(row.chunks_exact_mut(4)) {
+                    four.copy_from_slice(&sobol_burley::sample_4d(i % (1 << 16), set, 1));
+                }
+            }
+        },
+    )
+}
+
+/// A port of OpenQMC: four dimensions a domain, and points of their own after 2^16.
+fn openqmc(job: &Job) -> Named {
+    let dimensions = job.dimensions;
+    shares(
+        job,
+        "openqmc-rs 0.2",
+        |first| first as i32,
+        move |first, part| {
+            for (i, row) in (first..).zip(part.chunks_exact_mut(dimensions)) {
+                let root = openqmc::SobolSampler::new(0, 0, 0, i);
+                for (domain, four) in (0..).zip(row.chunks_exact_mut(4)) {
+                    let values: [f32; 4] = root.new_domain(domain).draw_sample_f32();
+                    four.copy_from_slice(&values);
+                }
+            }
+        },
+    )
 }
 
 /// It begins at index 1, and its own way to skip goes wrong past 255: so it steps.
