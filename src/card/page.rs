@@ -190,7 +190,10 @@ fn supplement(more: &Supplement) -> String {
             error(row.device),
             error(row.native),
             figure(row.case.bound),
-            passed(row.failure.is_none())
+            match row.verdict() {
+                "refused" => "<td>refused</td>",
+                verdict => passed(verdict == "passed"),
+            }
         );
     }
     let catalogue = table(

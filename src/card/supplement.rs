@@ -32,18 +32,14 @@ impl Supplement {
     /// Each of either as a case of JUnit's.
     #[must_use]
     pub fn cases(&self) -> Vec<Further> {
-        let input = |row: &extreme::Row| Further {
-            class: "extreme inputs",
-            name: format!("{} {}", row.case.number, row.case.input),
-            failure: row.failure.clone(),
-        };
         let statistic = |one: &Statistic| Further {
             class: "statistics",
             name: format!("{}: {}", one.of, one.what),
             failure: (!one.passes())
                 .then(|| format!("{} is not {} to {}", one.value, one.least, one.most)),
+            skipped: None,
         };
-        let inputs = self.catalogue.iter().map(input);
+        let inputs = self.catalogue.iter().map(extreme::Row::further);
         inputs
             .chain(self.statistics.iter().map(statistic))
             .collect()

@@ -13,13 +13,17 @@ pub struct Further {
     pub name: String,
     /// Why it failed; `None` if it passed.
     pub failure: Option<String>,
+    /// Why it did not run, if so.
+    pub skipped: Option<String>,
 }
 
 /// One test suite, whose cases are the rows: failures with their witness, refused rows,
 /// the driver's defects and those that there was no time for as skipped; and further ones.
 #[must_use]
 pub fn junit(rows: &[Row], left_out: &[String], further: &[Further], device: &str) -> String {
-    let skipped = rows.iter().filter(|row| skipped(row)).count() + left_out.len();
+    let skipped = rows.iter().filter(|row| skipped(row)).count()
+        + further.iter().filter(|one| one.skipped.is_some()).count()
+        + left_out.len();
     let seconds: f64 = rows.iter().map(|row| row.seconds).sum();
     let mut xml = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"corput check, {}\" \
@@ -43,9 +47,11 @@ pub fn junit(rows: &[Row], left_out: &[String], further: &[Further], device: &st
         );
     }
     for one in further {
-        let failure = one.failure.as_deref().map_or(String::new(), |why| {
-            format!("<failure message=\"{}\"/>", escape(why))
-        });
+        let element = |name: &str, why: &Option<String>| match why {
+            Some(why) => format!("<{name} message=\"{}\"/>", escape(why)),
+            None => String::new(),
+        };
+        let failure = element("failure", &one.failure) + &element("skipped", &one.skipped);
         let _ = writeln!(
             xml,
             "<testcase classname=\"{}\" name=\"{}\">{failure}</testcase>",

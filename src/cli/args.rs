@@ -123,12 +123,12 @@ pub struct CheckArgs {
     pub compare: Option<Vec<PathBuf>>,
     /// Check the catalogue of extreme inputs instead: errors of common formulas, of the CPU, and
     /// of the device in both profiles; with --device cpu of the CPU alone.
-    #[arg(long, conflicts_with_all = ["seconds", "junit", "only", "report", "compare"])]
+    #[arg(long, conflicts_with_all = ["only", "report", "compare"])]
     pub extreme: bool,
     /// Check functions over all their inputs instead: those of one word and the radical inverses in
     /// bases 2, 3, 5 and 8161 over all 2^32, the others and the maps over all pairs of critical values
-    /// and 2^24 random inputs. All rows take hours on a CPU's driver; choose with --only.
-    #[arg(long, conflicts_with_all = ["seconds", "junit", "report", "compare", "extreme"])]
+    /// and 2^24 random inputs; and the sum of 2^28 equal terms. All rows take hours on a CPU's driver; choose with --only.
+    #[arg(long, conflicts_with_all = ["report", "compare", "extreme"])]
     pub exhaustive: bool,
     /// Only rows whose name, header or kernel contains this.
     #[arg(long)]

@@ -15,20 +15,16 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     if let Some([one, other]) = args.compare.as_deref() {
         return compared(one, other, args.json);
     }
+    let time = args.seconds.map(seconds).transpose()?;
     if args.extreme {
-        return super::extreme::run(args.device.as_deref(), args.json);
+        return super::extreme::run(args, time);
     }
     if args.exhaustive {
-        return super::exhaustive::run(args.device.as_deref(), args.only.as_deref(), args.json);
+        return super::exhaustive::run(args, time);
     }
-    let time = args.seconds.map(seconds).transpose()?;
     // The folder first: the other file may be in it.
     let files = args.report.as_deref().map(Files::open).transpose()?;
-    let junit = args
-        .junit
-        .clone()
-        .map(|path| Document::open(&Target::File(path)));
-    let junit = junit.transpose()?;
+    let junit = junit_file(args)?;
     let device = host::open(args.device.as_deref())?;
     let options = Options {
         only: args.only.clone(),
@@ -73,6 +69,13 @@ pub fn run(args: &CheckArgs) -> anyhow::Result<()> {
     host::validated(device.instance())?;
     outcome.result()?;
     Ok(supplement.map_or(Ok(()), |more| more.result())?)
+}
+
+/// The file of `--junit`, opened before any work.
+pub fn junit_file(args: &CheckArgs) -> corput::Result<Option<Document>> {
+    let path = args.junit.clone();
+    path.map(|path| Document::open(&Target::File(path)))
+        .transpose()
 }
 
 /// A time that is one.
@@ -188,6 +191,14 @@ fn supplemented(more: &Supplement) -> String {
     lines.join("\n")
 }
 
+/// What there was no time for, as the end of a sentence.
+pub fn left_out(names: &[String]) -> String {
+    match names.len() {
+        0 => String::new(),
+        left => format!("; no time was left for {left} more: {}", names.join(", ")),
+    }
+}
+
 fn summary(outcome: &Outcome) -> String {
     let count = |test: &dyn Fn(&&Row) -> bool| outcome.rows.iter().filter(test).count();
     let exact = count(&|row| row.profile == "exact");
@@ -204,13 +215,7 @@ fn summary(outcome: &Outcome) -> String {
         1 => "; 1 function of the driver's own is beyond what Vulkan allows".to_owned(),
         many => format!("; {many} functions of the driver's own are beyond what Vulkan allows"),
     };
-    let left_out = match outcome.left_out.len() {
-        0 => String::new(),
-        left => format!(
-            "; no time was left for {left} more: {}",
-            outcome.left_out.join(", ")
-        ),
-    };
+    let left_out = left_out(&outcome.left_out);
     format!(
         "{} of {} rows failed, {refused} refused; exact profile: {differ} of {compared} results in \
          {exact} rows differ from the CPU's{defects}{left_out}",

@@ -1,20 +1,24 @@
 //! `corput check --exhaustive`.
 
-use super::check::sign;
+use super::args::CheckArgs;
+use super::check::{junit_file, left_out, sign};
 use super::{host, interrupt, print, progress};
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
-use corput::check::{Verdict, figure};
+use corput::check::{Verdict, figure, junit};
 use corput::exhaustive::{self, About, Hash, Row};
+use std::time::Duration;
 
-pub fn run(device: Option<&str>, only: Option<&str>, json: bool) -> anyhow::Result<()> {
-    let subjects = exhaustive::chosen(only)?;
+pub fn run(args: &CheckArgs, time: Option<Duration>) -> anyhow::Result<()> {
+    let subjects = exhaustive::chosen(args.only.as_deref())?;
+    let document = junit_file(args)?;
     interrupt::clean_up();
-    let device = host::open(device)?;
+    let device = host::open(args.device.as_deref())?;
     let bar = progress::steps();
     let mut finished = Vec::new();
     let found = exhaustive::run(
         &device,
         &subjects,
+        time,
         &mut |name, done, total| {
             progress::step(&bar, name, done, total);
             interrupt::stop(done, total)
@@ -29,10 +33,10 @@ pub fn run(device: Option<&str>, only: Option<&str>, json: bool) -> anyhow::Resu
         },
     );
     bar.finish_and_clear();
-    let rows = match found {
-        Ok(rows) => rows,
+    let (rows, later) = match found {
+        Ok(found) => found,
         Err(error) => {
-            if !json && !finished.is_empty() {
+            if !args.json && !finished.is_empty() {
                 print(&table(&finished).to_string());
             }
             return Err(error.into());
@@ -42,14 +46,18 @@ pub fn run(device: Option<&str>, only: Option<&str>, json: bool) -> anyhow::Resu
         device: host::line(device.info()),
         command: host::command(),
     };
-    if json {
+    if let Some(document) = document {
+        let further: Vec<_> = rows.iter().map(Row::further).collect();
+        document.finish(junit(&[], &later, &further, &about.device).as_bytes())?;
+    }
+    if args.json {
         print(&serde_json::to_string_pretty(&exhaustive::json(
-            &about, &rows,
+            &about, &rows, &later,
         ))?);
     } else {
         print(&about.device);
         print(&table(&rows).to_string());
-        print(&summary(&rows));
+        print(&(summary(&rows) + &left_out(&later)));
     }
     host::validated(device.instance())?;
     Ok(exhaustive::result(&rows)?)

@@ -16,14 +16,15 @@ pub struct About {
     pub command: String,
 }
 
-/// Where the rows come from, and the rows.
+/// Where the rows come from, the rows, and the names of those for which there was no time.
 #[must_use]
-pub fn json(about: &About, rows: &[Row]) -> Value {
+pub fn json(about: &About, rows: &[Row], left_out: &[String]) -> Value {
     json!({
         "schema": SCHEMA,
         "version": env!("CARGO_PKG_VERSION"),
         "command": about.command,
         "device": about.device,
         "rows": rows.iter().map(Row::json).collect::<Vec<_>>(),
+        "left_out": left_out,
     })
 }

@@ -1,6 +1,6 @@
 //! Functions over all their inputs: those of one word over every word, radical inverses over
 //! every index, all others over every pair of critical values and 2^24 random inputs; maps too,
-//! with the parameter sets of `corput check`.
+//! with the parameter sets of `corput check`; and the sum of 2^28 equal terms.
 //!
 //! A row compares each result with the CPU twin, and the floats with a truth that shares no
 //! arithmetic with it: `f64` from the definitions, with a bound of its own error, so that
@@ -20,6 +20,7 @@ mod judge;
 mod manifest;
 mod maps;
 mod row;
+mod terms;
 mod truth;
 
 use compare::compare;
@@ -30,6 +31,7 @@ pub use inputs::{Domain, RANDOM, arguments};
 pub use manifest::{publish, published};
 pub use maps::{compare_map, mapper};
 pub use row::{Figures, Hash, Row};
+pub use terms::compare_terms;
 pub use truth::{Rounding, Truth};
 
 use crate::catalog::{
@@ -37,10 +39,11 @@ use crate::catalog::{
 };
 use crate::catalog::{Profile, Tier, maps};
 use crate::check::Verdict;
-use crate::kernels::{Evaluator, Generator, probe};
+use crate::kernels::{Evaluator, Generator, Reducer, probe};
 use crate::vulkan::Device;
 use crate::{Error, Result};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// Bases whose radical inverses are compared at every index: the smallest, and the largest that
 /// points have.
@@ -55,6 +58,8 @@ pub enum Subject {
     Inverses(u32),
     /// A map, with the parameter sets of `corput check`.
     Map(&'static Map),
+    /// The sum of 2^28 equal floats.
+    Terms,
 }
 
 impl Subject {
@@ -65,13 +70,14 @@ impl Subject {
             Self::Function(function, _) => function.name.to_owned(),
             Self::Inverses(base) => format!("radical_inverse in base {base}"),
             Self::Map(map) => map.name.to_owned(),
+            Self::Terms => "reduction of equal terms".into(),
         }
     }
 
     fn tier(&self) -> Tier {
         match self {
             Self::Function(function, _) => function.tier,
-            Self::Inverses(_) => Tier::Integer,
+            Self::Inverses(_) | Self::Terms => Tier::Integer,
             Self::Map(map) => map.tier,
         }
     }
@@ -81,6 +87,7 @@ impl Subject {
             Self::Function(function, _) => (function.header, function.kernel),
             Self::Inverses(_) => ("", ""),
             Self::Map(map) => ("", map.group.kernel(Profile::Exact)),
+            Self::Terms => ("", "reduce"),
         };
         [&self.name(), header, kernel]
             .iter()
@@ -88,8 +95,8 @@ impl Subject {
     }
 }
 
-/// Every row, in the order of the catalogue; those of radical inverses by base come first, and
-/// those of maps last.
+/// Every row, in the order of the catalogue; those of radical inverses by base come first, those
+/// of maps later, and the sum last.
 pub fn subjects() -> impl Iterator<Item = Subject> {
     let functions = FUNCTIONS.iter().map(|function| {
         let domain = match function.kind {
@@ -99,7 +106,10 @@ pub fn subjects() -> impl Iterator<Item = Subject> {
         Subject::Function(function, domain)
     });
     let inverses = BASES.map(Subject::Inverses).into_iter();
-    inverses.chain(functions).chain(maps().map(Subject::Map))
+    inverses
+        .chain(functions)
+        .chain(maps().map(Subject::Map))
+        .chain([Subject::Terms])
 }
 
 /// The rows whose name, header or kernel contains this, or all.
@@ -120,22 +130,29 @@ pub fn chosen(only: Option<&str>) -> Result<Vec<Subject>> {
     Ok(found)
 }
 
-/// Compares these one after the other. `watch` hears of the inputs done of a row, and may stop
+/// Compares these one after the other, and begins none after `time`: gives the rows, and the names
+/// of those that were left out. `watch` hears of the inputs done of a row, and may stop
 /// the work; `seen` gets each row as it ends.
 ///
 /// # Errors
-/// Those of the device, and those of `watch`.
+/// Those of the device, those of `watch`, and [`Error::Arguments`] where there was no time for any.
 pub fn run(
     device: &Arc<Device>,
     subjects: &[Subject],
+    time: Option<Duration>,
     watch: &mut dyn FnMut(&str, u64, u64) -> Result<()>,
     seen: &mut dyn FnMut(&Row),
-) -> Result<Vec<Row>> {
+) -> Result<(Vec<Row>, Vec<String>)> {
     device.keep_pipelines();
     let exact_floats = probe(device)?.tier_f();
-    let mut rows = Vec::new();
+    let begun = Instant::now();
+    let (mut rows, mut left_out) = (Vec::new(), Vec::new());
     for subject in subjects {
         let name = subject.name();
+        if time.is_some_and(|time| begun.elapsed() >= time) {
+            left_out.push(name);
+            continue;
+        }
         let row = match subject {
             subject if subject.tier() == Tier::Float && !exact_floats => {
                 let why = "the probe does not find rounding to nearest even";
@@ -158,11 +175,26 @@ pub fn run(
                 let watch = &mut |done, total| watch(&name, done, total);
                 compare_map(&mut mapper, &fractions, watch)?
             }
+            Subject::Terms => {
+                let reducer = &mut |group| Reducer::with_group(device, group);
+                let watch = &mut |done, total| watch(&name, done, total);
+                compare_terms(1 << 28, reducer, watch)?
+            }
         };
         seen(&row);
         rows.push(row);
     }
-    Ok(rows)
+    if rows.is_empty() {
+        return Err(Error::Arguments {
+            asked: format!(
+                "exhaustive rows in {} s",
+                time.unwrap_or_default().as_secs_f64()
+            ),
+            limit: "no row began in that time".into(),
+            remedy: "give it more".into(),
+        });
+    }
+    Ok((rows, left_out))
 }
 
 /// `Ok`, or how many of the rows failed.

@@ -1,9 +1,9 @@
 //! A row, and the figures that it is made from.
 
 use super::truth::Rounding;
-use super::{Fractions, Subject, manifest};
+use super::{Fractions, Subject, manifest, terms};
 use crate::catalog::Profile;
-use crate::check::Verdict;
+use crate::check::{Further, Verdict};
 use serde_json::{Value, json};
 
 /// Figures of some of the inputs; they merge in any grouping to the same.
@@ -132,6 +132,7 @@ impl Row {
                 "of bound",
                 Fractions::describe(map),
             ),
+            Subject::Terms => ("reduce", "I", Some(0.0), "of it", terms::INPUTS.into()),
             Subject::Inverses(_) => ("points", "I", Some(0.0), "2^-32", "all 2^32 indices".into()),
         };
         Self {
@@ -200,6 +201,31 @@ impl Row {
         let [correct, other, undecided] = self.figures.roundings;
         let all = correct + other + undecided;
         (all > 0).then(|| correct as f64 / all as f64)
+    }
+
+    /// The row as a case of JUnit's.
+    #[must_use]
+    pub fn further(&self) -> Further {
+        let worst = self.worst.map_or(String::new(), |worst| {
+            format!(", worst {worst:e} {} at {}", self.unit, self.worst_at)
+        });
+        let hash = match &self.hash {
+            Hash::Differs(published) => format!(", hash {}, not {published}", self.sha256),
+            Hash::Equal | Hash::Unpublished => String::new(),
+        };
+        let failure = format!(
+            "{} of {} differ{worst}{hash} {}",
+            self.figures.mismatches, self.figures.compared, self.witness
+        );
+        Further {
+            class: "exhaustive",
+            name: format!("{}, {}", self.name, self.inputs),
+            failure: (self.verdict == Verdict::Failed).then_some(failure),
+            skipped: match &self.verdict {
+                Verdict::Refused(why) => Some(why.clone()),
+                _ => None,
+            },
+        }
     }
 
     /// The row as JSON.

@@ -1,8 +1,10 @@
 //! An extreme input: its truth, what the common formula makes of it, and what this crate does.
 
-use crate::bulk::map_sample;
-use crate::catalog::{Mapping, Profile};
+use super::words::{double, estimate_of, estimate_words, float_sum_words};
+use crate::bulk::{estimate, map_sample, reduce};
+use crate::catalog::{Mapping, Problem, Profile, Request};
 use crate::check::function_words;
+use std::sync::Arc;
 
 /// One unit in the last place of a float just above 1.
 pub(super) const ULP: f64 = 1.0 / 8_388_608.0;
@@ -16,6 +18,8 @@ pub enum Source {
     Multiprecision,
     /// Integers, which are exact.
     Integers,
+    /// The definition in `f64`, term by term.
+    Judge,
 }
 
 impl Source {
@@ -26,6 +30,7 @@ impl Source {
             Self::ClosedForm => "closed form in f64",
             Self::Multiprecision => "mpmath, 25 digits",
             Self::Integers => "integers",
+            Self::Judge => "definition in f64",
         }
     }
 }
@@ -66,6 +71,23 @@ pub enum Measure {
     Fraction,
     /// Of floats whose reciprocals the truth has, as [`Measure::Relative`].
     Reciprocal,
+    /// Of a double in two words, as [`Measure::Relative`].
+    Double,
+    /// Of the mean of an exact sum of so many terms in units of 2^-scale, as
+    /// [`Measure::Relative`].
+    Mean {
+        /// Terms.
+        count: u64,
+        /// Their unit.
+        scale: i32,
+    },
+    /// Of the variance of the same, as [`Measure::Relative`].
+    Variance {
+        /// Terms.
+        count: u64,
+        /// Their unit.
+        scale: i32,
+    },
 }
 
 impl Measure {
@@ -74,7 +96,12 @@ impl Measure {
     pub fn error(self, got: &[f64], truth: &[f64]) -> f64 {
         let pairs = || got.iter().zip(truth);
         let error = match self {
-            Self::Relative | Self::Fraction | Self::Reciprocal => largest(pairs()),
+            Self::Relative
+            | Self::Fraction
+            | Self::Reciprocal
+            | Self::Double
+            | Self::Mean { .. }
+            | Self::Variance { .. } => largest(pairs()),
             Self::Distance => pairs().map(|(g, t)| (g - t).powi(2)).sum::<f64>().sqrt(),
             Self::Scattered { scale } => match (got, truth) {
                 (&[x, y, z, ref pdf @ ..], &[a, b, c, ref density @ ..]) => [
@@ -88,6 +115,24 @@ impl Measure {
             },
         };
         if error.is_nan() { f64::INFINITY } else { error }
+    }
+
+    /// So many numbers of a result from its word `first` on; `None` if it has too few words.
+    fn numbers(self, words: &[u32], first: usize, count: usize) -> Option<Vec<f64>> {
+        match self {
+            Self::Double => Some(vec![double(words.get(first..first + 2)?)]),
+            Self::Mean { count, scale } => estimate_of(words, count, scale)?
+                .mean()
+                .map(|mean| vec![mean]),
+            Self::Variance { count, scale } => {
+                let variance = estimate_of(words, count, scale)?.variance();
+                variance.map(|variance| vec![variance])
+            }
+            _ => {
+                let words = words.get(first..first + count)?;
+                Some(words.iter().map(|&word| self.number(word)).collect())
+            }
+        }
     }
 
     /// A word of a result as a number.
@@ -112,7 +157,7 @@ fn largest<'a>(pairs: impl Iterator<Item = (&'a f64, &'a f64)>) -> f64 {
 }
 
 /// What a device can be asked for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Subject {
     /// Nothing: code of the host, a table, or a function that no kernel gives alone.
     Host,
@@ -130,17 +175,44 @@ pub enum Subject {
         /// The fractions.
         u: [u32; 2],
     },
+    /// The exact sums of an integrand and of its squares over points.
+    Estimate {
+        /// The integrand.
+        problem: Arc<Problem>,
+        /// The points.
+        request: Arc<Request>,
+    },
+    /// The exact sum of floats.
+    Sum {
+        /// The terms.
+        terms: Arc<[f32]>,
+        /// Invocations of a group.
+        group: u32,
+    },
 }
 
 impl Subject {
-    /// The words that every device must give; `None` of the host.
+    /// The words that every device must give: four of a function or a sample, twelve of the sums
+    /// of an estimate, fourteen of a sum of floats, its double first; `None` of the host.
     #[must_use]
-    pub fn reference(&self) -> Option<[u32; 4]> {
+    pub fn reference(&self) -> Option<Vec<u32>> {
         match self {
             Self::Host => None,
-            Self::Function { name, call } => Some(function_words(name, *call)),
-            Self::Map { mapping, u } => Some(map_sample(mapping, Profile::Exact, [u[0], u[1], 0])),
+            Self::Function { name, call } => Some(function_words(name, *call).to_vec()),
+            Self::Map { mapping, u } => {
+                Some(map_sample(mapping, Profile::Exact, [u[0], u[1], 0]).to_vec())
+            }
+            Self::Estimate { problem, request } => estimate(problem, request, 0, request.count)
+                .ok()
+                .map(|sums| estimate_words(&sums)),
+            Self::Sum { terms, .. } => reduce(terms).ok().map(|sum| float_sum_words(&sum)),
         }
+    }
+
+    /// The first floats of the reference; zeros where it has none.
+    pub(super) fn floats<const N: usize>(&self) -> [f32; N] {
+        let words = self.reference().unwrap_or_default();
+        std::array::from_fn(|i| words.get(i).map_or(0.0, |&word| f32::from_bits(word)))
     }
 
     /// As tables have it.
@@ -150,6 +222,8 @@ impl Subject {
             Self::Host => "host",
             Self::Function { name, .. } => name,
             Self::Map { mapping, .. } => mapping.map().name,
+            Self::Estimate { problem, .. } => problem.integrand().name,
+            Self::Sum { .. } => "reduce",
         }
     }
 }
@@ -235,12 +309,7 @@ impl Case {
     pub fn error(&self, words: &[u32]) -> f64 {
         let Reading { first, measure } = self.reading;
         let values = &self.truth.values;
-        match words.get(first..first + values.len()) {
-            Some(words) => {
-                let got: Vec<f64> = words.iter().map(|&word| measure.number(word)).collect();
-                measure.error(&got, values)
-            }
-            None => f64::INFINITY,
-        }
+        let got = measure.numbers(words, first, values.len());
+        got.map_or(f64::INFINITY, |got| measure.error(&got, values))
     }
 }

@@ -1,14 +1,18 @@
 //! The cases on a device: words that must be the reference's, and errors of both profiles.
 
+use super::words::{estimate_words, float_sum_words};
 use super::{Case, Subject};
-use crate::catalog::{FUNCTIONS, Mapping, Profile};
-use crate::check::{ELEMENTARY, function_words};
+use crate::catalog::{FUNCTIONS, Function, Mapping, Problem, Profile, Request, Tier};
+use crate::check::{ELEMENTARY, Further, function_words};
 use crate::interface::task;
-use crate::kernels::{Elementary, Evaluator, Mapper};
+use crate::kernels::{
+    Elementary, Estimator, Evaluator, Mapper, Reducer, Split, largest_group, probe,
+};
 use crate::vulkan::Device;
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// What a device gave for a case.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +21,8 @@ pub struct Given {
     pub exact: Option<Vec<u32>>,
     /// Those of the native profile, where it has that function or map.
     pub native: Option<Vec<u32>>,
+    /// Why the device was not asked, if so.
+    pub refused: Option<String>,
 }
 
 /// A case with its verdict.
@@ -31,6 +37,8 @@ pub struct Row {
     pub native: Option<f64>,
     /// Why the case failed; `None` if it passed.
     pub failure: Option<String>,
+    /// Why this device was not asked, where the case does not apply to it.
+    pub refused: Option<String>,
 }
 
 impl Row {
@@ -44,12 +52,37 @@ impl Row {
         let read = case.reading.first + case.truth.values.len();
         let native = given.native.as_ref().filter(|words| words.len() >= read);
         let native = native.map(error);
-        let failure = failure(&case, given.exact.as_deref());
+        let failure = match given.refused {
+            Some(_) => of_cpu(&case),
+            None => failure(&case, given.exact.as_deref()),
+        };
         Self {
             case,
             device,
             native,
             failure,
+            refused: given.refused.clone(),
+        }
+    }
+
+    /// `passed`, `failed`, or `refused` where the device was not asked.
+    #[must_use]
+    pub fn verdict(&self) -> &'static str {
+        match (&self.failure, &self.refused) {
+            (Some(_), _) => "failed",
+            (None, Some(_)) => "refused",
+            (None, None) => "passed",
+        }
+    }
+
+    /// The row as a case of JUnit's.
+    #[must_use]
+    pub fn further(&self) -> Further {
+        Further {
+            class: "extreme inputs",
+            name: format!("{} {}", self.case.number, self.case.input),
+            failure: self.failure.clone(),
+            skipped: self.refused.clone().filter(|_| self.failure.is_none()),
         }
     }
 }
@@ -90,6 +123,7 @@ pub fn run_on_cpu() -> Result<Vec<Row>> {
         device: None,
         native: None,
         failure: of_cpu(&case),
+        refused: None,
         case,
     };
     Ok(super::cases()?.into_iter().map(row).collect())
@@ -100,35 +134,94 @@ pub fn run_on_cpu() -> Result<Vec<Row>> {
 /// # Errors
 /// Those of the device.
 pub fn run(device: &Arc<Device>) -> Result<Vec<Row>> {
+    Ok(run_within(device, None)?.0)
+}
+
+/// The same, but begins no kernel after so long: the rows, and the cases that were left out.
+///
+/// # Errors
+/// Those of the device, and [`Error::Arguments`] where there was no time for any.
+pub fn run_within(device: &Arc<Device>, time: Option<Duration>) -> Result<(Vec<Row>, Vec<String>)> {
     device.keep_pipelines();
+    let exact_floats = probe(device)?.tier_f();
     let cases = super::cases()?;
-    // The cases of a function, or of a map, share a kernel.
+    let begun = Instant::now();
+    // The cases of a function, a map or an integrand share a kernel.
     let mut groups = BTreeMap::<&str, Vec<usize>>::new();
     for (index, case) in cases.iter().enumerate() {
         groups.entry(case.subject.name()).or_default().push(index);
     }
-    let mut given = vec![Given::default(); cases.len()];
+    let mut given = vec![None; cases.len()];
     for indices in groups.values() {
+        if time.is_some_and(|time| begun.elapsed() >= time) {
+            break;
+        }
         let some: Vec<&Case> = indices.iter().filter_map(|&i| cases.get(i)).collect();
-        for (&index, made) in indices.iter().zip(of_group(device, &some)?) {
+        let made = match refusal(&some, exact_floats) {
+            Some(why) => vec![why; some.len()],
+            None => of_group(device, &some)?,
+        };
+        for (&index, made) in indices.iter().zip(made) {
             if let Some(place) = given.get_mut(index) {
-                *place = made;
+                *place = Some(made);
             }
         }
     }
-    let rows = cases.into_iter().zip(&given);
-    Ok(rows.map(|(case, given)| Row::judged(case, given)).collect())
+    let (mut rows, mut left_out) = (Vec::new(), Vec::new());
+    for (case, given) in cases.into_iter().zip(given) {
+        match given {
+            Some(given) => rows.push(Row::judged(case, &given)),
+            None => left_out.push(format!("{} {}", case.number, case.input)),
+        }
+    }
+    if rows.is_empty() {
+        return Err(Error::Arguments {
+            asked: format!(
+                "extreme inputs in {} s",
+                time.unwrap_or_default().as_secs_f64()
+            ),
+            limit: "no kernel began in that time".into(),
+            remedy: "give it more".into(),
+        });
+    }
+    Ok((rows, left_out))
+}
+
+/// What is said of cases of one subject, if the device's floats are not such that it can be asked.
+fn refusal(cases: &[&Case], exact_floats: bool) -> Option<Given> {
+    let Subject::Function { name, .. } = &cases.first()?.subject else {
+        return None;
+    };
+    let of_floats = |function: &&Function| function.name == *name && function.tier == Tier::Float;
+    let inexact = !exact_floats && FUNCTIONS.iter().any(|function| of_floats(&function));
+    inexact.then(|| Given {
+        refused: Some("the probe does not find rounding to nearest even".into()),
+        ..Given::default()
+    })
 }
 
 /// What a device gives for cases of one subject.
 fn of_group(device: &Arc<Device>, cases: &[&Case]) -> Result<Vec<Given>> {
     let mut calls = Vec::new();
     let mut samples = Vec::new();
+    let mut sums: Vec<Given> = Vec::new();
+    let mut last: Option<(&Arc<Request>, Given)> = None;
     for case in cases {
         match &case.subject {
             Subject::Host => {}
             Subject::Function { call, .. } => calls.push(*call),
             Subject::Map { mapping, u } => samples.push((mapping.as_ref(), *u)),
+            Subject::Estimate { problem, request } => {
+                // One estimate is read in several ways.
+                let same = last.take().filter(|(one, _)| Arc::ptr_eq(one, request));
+                let given = match same {
+                    Some((_, given)) => given,
+                    None => estimated(device, problem, request)?,
+                };
+                sums.push(given.clone());
+                last = Some((request, given));
+            }
+            Subject::Sum { terms, group } => sums.push(summed(device, terms, *group)?),
         }
     }
     match cases.first().map(|case| &case.subject) {
@@ -137,7 +230,11 @@ fn of_group(device: &Arc<Device>, cases: &[&Case]) -> Result<Vec<Given>> {
             let native = native(device, name, &calls)?.into_iter();
             let pairs = exact.zip(native.map(Some).chain(std::iter::repeat(None)));
             Ok(pairs
-                .map(|(exact, native)| Given { exact, native })
+                .map(|(exact, native)| Given {
+                    exact,
+                    native,
+                    refused: None,
+                })
                 .collect())
         }
         Some(Subject::Map { .. }) => {
@@ -146,11 +243,42 @@ fn of_group(device: &Arc<Device>, cases: &[&Case]) -> Result<Vec<Given>> {
             let both = |(exact, native)| Given {
                 exact: Some(exact),
                 native: Some(native),
+                refused: None,
             };
             Ok(exact.zip(native).map(both).collect())
         }
+        Some(Subject::Estimate { .. } | Subject::Sum { .. }) => Ok(sums),
         _ => Ok(vec![Given::default(); cases.len()]),
     }
+}
+
+fn estimated(device: &Arc<Device>, problem: &Problem, request: &Request) -> Result<Given> {
+    let mut estimator = Estimator::new(device, problem, request)?;
+    let (sum, _) = estimator.run(0, request.count, &mut |_| Ok(()))?;
+    Ok(Given {
+        exact: Some(estimate_words(&sum)),
+        ..Given::default()
+    })
+}
+
+/// In groups of that size, and split into dispatches that end in the middle of a run.
+fn summed(device: &Arc<Device>, terms: &[f32], group: u32) -> Result<Given> {
+    let largest = largest_group(device);
+    if group > largest {
+        return Ok(Given {
+            refused: Some(format!("this device runs groups of {largest} at most")),
+            ..Given::default()
+        });
+    }
+    let reducer = Reducer::with_group(device, group)?;
+    let split = Split {
+        dispatch: terms.len() / 3 + 1,
+        run: 100,
+    };
+    Ok(Given {
+        exact: Some(float_sum_words(&reducer.reduce_in(terms, split)?)),
+        ..Given::default()
+    })
 }
 
 fn evaluated(device: &Arc<Device>, name: &str, calls: &[[u32; 4]]) -> Result<Vec<Vec<u32>>> {

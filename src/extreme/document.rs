@@ -1,11 +1,11 @@
 //! The rows as JSON.
 
+use super::Row;
 use super::formulas::formula;
-use super::{COVERED, Row};
 use serde_json::{Value, json};
 
 /// The version of the JSON document; it changes when a reader of the old one would fail.
-pub const SCHEMA: &str = "corput-extreme/1";
+pub const SCHEMA: &str = "corput-extreme/2";
 
 /// How many rows there are of each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +16,8 @@ pub struct Counts {
     pub failed: usize,
     /// Those that were run on the device.
     pub device: usize,
+    /// Those that do not apply to the device.
+    pub refused: usize,
     /// Those that have a result of the native profile too.
     pub native: usize,
     /// Those whose common formula is beyond the bound.
@@ -35,6 +37,7 @@ impl Counts {
             rows: rows.len(),
             failed: count(&|row| row.failure.is_some()),
             device: count(&|row| row.device.is_some()),
+            refused: count(&|row| row.refused.is_some()),
             native: count(&|row| row.native.is_some()),
             naive_beyond: count(&|row| beyond(row.case.naive, row)),
             native_beyond: count(&|row| row.native.is_some_and(|error| beyond(error, row))),
@@ -42,15 +45,10 @@ impl Counts {
     }
 }
 
-/// One document: the device in words, counts, rows, and what is covered elsewhere. An error
-/// that is not finite is `null`; one that there is none of is not there.
+/// One document: the device in words, counts, rows, and the cases for which there was no time. An error that is not finite is `null`; one that there is none of is not there.
 #[must_use]
-pub fn json(device: &str, command: &str, rows: &[Row]) -> Value {
+pub fn json(device: &str, command: &str, rows: &[Row], left_out: &[String]) -> Value {
     let counts = Counts::of(rows);
-    let covered: Vec<Value> = COVERED
-        .iter()
-        .map(|one| json!({"case": one.number, "input": one.input, "by": one.by.to_string()}))
-        .collect();
     json!({
         "schema": SCHEMA,
         "version": env!("CARGO_PKG_VERSION"),
@@ -60,13 +58,14 @@ pub fn json(device: &str, command: &str, rows: &[Row]) -> Value {
             "rows": counts.rows,
             "failed": counts.failed,
             "on_device": counts.device,
-            "on_host_alone": counts.rows - counts.device,
+            "on_host_alone": counts.rows - counts.device - counts.refused,
+            "refused": counts.refused,
             "native": counts.native,
             "common_formula_beyond_bound": counts.naive_beyond,
             "native_beyond_bound": counts.native_beyond,
         },
         "rows": rows_json(rows),
-        "covered_elsewhere": covered,
+        "left_out": left_out,
     })
 }
 
@@ -88,14 +87,14 @@ fn row(row: &Row) -> Value {
         "common_formula": case.naive,
         "cpu": case.ours,
         "bound": case.bound,
-        "verdict": if row.failure.is_none() { "passed" } else { "failed" },
+        "verdict": row.verdict(),
     });
     if let Value::Object(fields) = &mut value {
         let errors = [("device", row.device), ("native", row.native)];
         for (name, error) in errors {
             fields.extend(error.map(|error| (name.to_owned(), json!(error))));
         }
-        let why = row.failure.as_ref();
+        let why = row.failure.as_ref().or(row.refused.as_ref());
         fields.extend(why.map(|why| ("reason".to_owned(), json!(why))));
     }
     value

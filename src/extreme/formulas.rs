@@ -1,4 +1,5 @@
-//! The common formulas that the cases are beside, as people write them, in float throughout.
+//! The common formulas that the cases are beside, as people write them: in float throughout, or in
+//! integers of 32 bits where they are about these.
 
 use super::Case;
 
@@ -6,9 +7,19 @@ use super::Case;
 pub(super) fn formula(case: &Case) -> &'static str {
     let subject = case.subject.name();
     match case.number {
+        1 if subject == "add64" => "n + 1 of 32 bits",
+        1 => "for (uint i = first; i < first + count; i++)",
         2 => "float(k) / float(N)",
         3 => "float(u) 2^-32",
         4 => "sum of digit_i b^-i, by powers of 1.0 / b",
+        5 => "floor for ceil",
+        6 => "digits that are not permuted",
+        7 => "low << s, (high << s) + (low >> (32 - s))",
+        8 => "(float(i) + float(jitter)) / float(N)",
+        9 => "fract(float(u) 2^-32 + shift)",
+        10 => "uint(x 2^31)",
+        11 if subject == "host" => "first + k of 32 bits",
+        11 => "digits of int(index)",
         12 | 13 => "-log(1 - float(u) 2^-32)",
         14 => "cos and sin of 2 pi float(u) 2^-32",
         15 => "acos of the dot product",
@@ -44,7 +55,20 @@ pub(super) fn formula(case: &Case) -> &'static str {
         39 => "the first bin with u <= cdf[bin]",
         40 | 41 if case.input.starts_with("power") => "a^2 / (a^2 + b^2)",
         40 | 41 => "a / (a + b)",
+        42 => "a running sum of floats",
+        43 => "sums of floats by group, and of groups",
+        44 => "mean(x^2) - mean(x)^2 of floats",
+        45 if subject == "host" => "the same by points of van der Corput from 0 on",
+        45 => "1 / sqrt(float(u) 2^-32), points of van der Corput from 0 on",
+        46 => "exp(-(x - centre)^2 / (2 sigma^2)) over uniform points",
+        47 => "float(int(65536 x) % 2 == 0) over points that are not scrambled",
+        48 => "cos(2 pi N x) over points that are not scrambled",
+        49 => "x x + y y < 1 of floats",
+        50 => "its definition, and a running sum, in floats",
+        51 => "its definition in floats, the quantile of 0 minus infinity",
+        52 | 53 => "its definition, and a running sum, in floats",
         54 => "pow(product of e^x, 1 / n)",
+        55 => "one column for every dimension",
         _ => "",
     }
 }

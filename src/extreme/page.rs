@@ -8,7 +8,9 @@ const HEAD: &str = "# Extreme cases
 What the common formula of each function gives in float, and what this crate gives in its exact
 profile, where the input is extreme: errors relative to the truth, or as the input says. Truths are
 closed forms in `f64`, integers, or of 25 digits by mpmath, which `assets/truth` has. `inf` stands for
-an infinity, a NaN, or a value that should not be 0. Solid angles are the reciprocals of pdfs.
+an infinity, a NaN, or a value that should not be 0. Solid angles are the reciprocals of pdfs. Means
+over points are judged by the integral, from which they may be five standard errors of as many
+random points, and by the mean of the same terms in `f64`.
 `corput check --extreme` computes the rows, and those of a device beside them.
 `CORPUT_WRITE_TABLES=1 cargo test --all-features --test extremes` writes this page; without it the
 same test compares the columns that are ours, and fails where an error exceeds its bound.

@@ -34,7 +34,7 @@ fn reading(quantity: &str) -> Reading {
 
 /// The reference's direction.
 fn direction(subject: &Subject) -> Vec3 {
-    let [x, y, z, _] = subject.reference().unwrap_or_default().map(f32::from_bits);
+    let [x, y, z] = subject.floats();
     vec3(x, y, z)
 }
 

@@ -27,6 +27,7 @@ pub fn each(take: &mut dyn FnMut(&Entry) -> Result<()>) -> Result<()> {
                 file: format!("functions/{}.npy", function.name),
                 columns: 8,
                 words,
+                axes: None,
             }),
             tables: Vec::new(),
         })?;

@@ -28,12 +28,14 @@ pub fn each(take: &mut dyn FnMut(&Entry) -> Result<()>) -> Result<()> {
                     file: format!("{place}.npy"),
                     columns: 7,
                     words,
+                    axes: None,
                 }),
                 tables: tables
                     .map(|(index, words)| Table {
                         file: format!("{place}-reads-{index}.npy"),
                         columns: 1,
                         words: words.clone(),
+                        axes: None,
                     })
                     .collect(),
             })?;

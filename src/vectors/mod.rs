@@ -1,11 +1,12 @@
 //! Published vectors: arguments and results of every exact function, points of every
-//! sequence, samples of every map and sums of every integrand, as words with their SHA-256,
+//! sequence, blue noise, samples of every map and sums of every integrand, as words with their SHA-256,
 //! so that an engine or a port can test itself without this crate.
 //!
 //! The words are the reference's, which no device may differ from. A function's file has a row
 //! for each call, four words of arguments and four of results; what they mean the source of its
 //! kernel says, line by line, and the sources are beside the vectors.
 
+mod blue_noise;
 mod functions;
 mod integrands;
 mod maps;
@@ -17,7 +18,7 @@ pub use write::write;
 use crate::Result;
 use crate::catalog::{self, FUNCTIONS};
 use crate::check;
-use crate::report::{Element, Layout, hexadecimal, npy_header};
+use crate::report::{Element, Layout, hexadecimal, npy_array, npy_header};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
@@ -33,12 +34,18 @@ pub struct Table {
     pub columns: u32,
     /// All rows, one after another.
     pub words: Vec<u32>,
+    /// The axes of an array that is no list of rows, such as a picture's.
+    pub axes: Option<Vec<u32>>,
 }
 
 impl Table {
-    /// The file's bytes: NumPy's, `<u4`, of shape (rows, columns), as `corput generate` writes.
+    /// The file's bytes: NumPy's, `<u4`, of shape (rows, columns) or of its axes, as
+    /// `corput generate` writes.
     #[must_use]
     pub fn bytes(&self) -> Vec<u8> {
+        if let Some(axes) = &self.axes {
+            return npy_array(Element::U32, axes, &self.words);
+        }
         let mut bytes = npy_header(&Layout {
             rows: self.rows(),
             columns: self.columns,
@@ -61,7 +68,10 @@ impl Table {
     fn json(&self) -> Value {
         json!({
             "file": self.file,
-            "shape": [self.rows(), u64::from(self.columns)],
+            "shape": match &self.axes {
+                Some(axes) => json!(axes),
+                None => json!([self.rows(), u64::from(self.columns)]),
+            },
             "sha256": self.sha256(),
         })
     }
@@ -70,7 +80,7 @@ impl Table {
 /// An entry of the manifest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
-    /// `function`, `sequence`, `map` or `integrand`.
+    /// `function`, `sequence`, `blue noise`, `map` or `integrand`.
     pub kind: &'static str,
     /// What it is called.
     pub name: String,
@@ -106,6 +116,7 @@ impl Entry {
 pub fn each(take: &mut dyn FnMut(&Entry) -> Result<()>) -> Result<()> {
     functions::each(take)?;
     sequences::each(take)?;
+    blue_noise::each(take)?;
     maps::each(take)?;
     integrands::each(take)
 }
@@ -115,7 +126,8 @@ pub fn each(take: &mut dyn FnMut(&Entry) -> Result<()>) -> Result<()> {
 /// # Errors
 /// None, if the catalogue is right.
 pub fn number() -> Result<u64> {
-    let mut number = FUNCTIONS.len() + sequences::all().count();
+    let blue_noise = 1 + blue_noise::MASKS.len();
+    let mut number = FUNCTIONS.len() + sequences::all().count() + blue_noise;
     for map in catalog::maps() {
         number += check::examples(map)?.len();
     }

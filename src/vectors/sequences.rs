@@ -95,6 +95,7 @@ fn entry(sequence: Sequence, scramble: Scramble, first: u64) -> Result<Entry> {
             file: format!("{file}.npy"),
             columns: request.words_per_point(),
             words,
+            axes: None,
         }),
         tables: Vec::new(),
     })

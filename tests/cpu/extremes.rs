@@ -1,6 +1,6 @@
 //! Extreme inputs: each case is within its bound, and a row of `docs/extremes.md`.
 
-use corput::extreme::{By, COVERED, Case, Counts, Given, Row, Subject, cases, page};
+use corput::extreme::{Case, Counts, Given, Row, Subject, cases, page};
 
 fn all() -> Vec<Case> {
     cases().expect("the tables of truth are whole")
@@ -26,15 +26,16 @@ fn every_case_is_within_its_bound() {
 fn common_formulas_fail_in_nearly_every_kind_of_case() {
     let mut worst = std::collections::BTreeMap::<u32, f64>::new();
     for case in all() {
-        let ratio = case.naive / case.bound.max(1e-9);
+        let ratio = case.naive / case.bound.max(1e-10);
         let found = worst.entry(case.number).or_default();
         *found = found.max(ratio);
     }
     let numbers: Vec<u32> = worst.keys().copied().collect();
-    let expected: Vec<u32> = [2, 3, 4].into_iter().chain(12..=41).chain([54]).collect();
-    assert_eq!(numbers, expected);
-    let mild: Vec<_> = worst.iter().filter(|(_, ratio)| **ratio <= 1.0).collect();
-    assert!(mild.is_empty(), "{mild:?}");
+    assert_eq!(numbers, (1..=55).collect::<Vec<u32>>());
+    // Ishigami's function and Sobol's g keep to their scale: floats do.
+    let mild = worst.iter().filter(|(_, ratio)| **ratio <= 1.0);
+    let mild: Vec<u32> = mild.map(|(number, _)| *number).collect();
+    assert_eq!(mild, [52, 53]);
 }
 
 /// The page but for the errors of common formulas, which depend on the host's functions.
@@ -115,10 +116,10 @@ fn found(input: &str) -> Case {
 #[test]
 fn each_verdict_can_fail() {
     let case = found("-ln(1 - u), u = 1 2^-32");
-    let words = case.subject.reference().expect("a function").to_vec();
+    let words = case.subject.reference().expect("a function");
     let given = |exact: &[u32]| Given {
         exact: Some(exact.to_vec()),
-        native: None,
+        ..Given::default()
     };
     let failure = |case: &Case, given: &Given| Row::judged(case.clone(), given).failure;
     assert_eq!(failure(&case, &given(&words)), None);
@@ -139,7 +140,7 @@ fn each_verdict_can_fail() {
     assert!(failure(&case, &Given::default()).is_some());
     // A case of the host fails by its own error alone.
     let host = found("0.5^100");
-    assert_eq!(host.subject, Subject::Host);
+    assert!(matches!(host.subject, Subject::Host));
     assert_eq!(failure(&host, &Given::default()), None);
     let broken = Case {
         ours: f64::NAN,
@@ -148,15 +149,58 @@ fn each_verdict_can_fail() {
     assert!(failure(&broken, &Given::default()).is_some());
 }
 
+/// A device that is not asked neither passes nor fails, unless the CPU does.
+#[test]
+fn what_does_not_apply_is_refused_and_counted() {
+    let case = found("20,011 fractions in groups of 1024");
+    let given = Given {
+        refused: Some("groups of 256 at most".into()),
+        ..Given::default()
+    };
+    let row = Row::judged(case.clone(), &given);
+    assert_eq!((row.verdict(), &row.failure), ("refused", &None));
+    assert_eq!(row.further().skipped, given.refused);
+    let counts = Counts::of(&[row]);
+    assert_eq!((counts.refused, counts.device, counts.failed), (1, 0, 0));
+    let broken = Case { ours: 1.0, ..case };
+    assert_eq!(Row::judged(broken, &given).verdict(), "failed");
+}
+
+/// One word of a sum, of its squares or of a count is another error or another word.
+#[test]
+fn sums_are_judged_by_all_their_words() {
+    for input in [
+        "Ishigami's function, 2^14 points: these terms",
+        "20,011 fractions in groups of 32",
+    ] {
+        let case = found(input);
+        let words = case.subject.reference().expect("sums");
+        let passes = |words: &[u32]| {
+            let given = Given {
+                exact: Some(words.to_vec()),
+                ..Given::default()
+            };
+            Row::judged(case.clone(), &given).verdict() == "passed"
+        };
+        assert!(passes(&words));
+        for place in 0..words.len() {
+            let mut other = words.clone();
+            other[place] ^= 1;
+            assert!(!passes(&other), "{input}: word {place}");
+        }
+    }
+}
+
 #[test]
 fn native_errors_are_reported_and_not_judged() {
     let case = found("-ln(1 - u), u = 1 2^-32");
-    let words = case.subject.reference().expect("a function").to_vec();
+    let words = case.subject.reference().expect("a function");
     let row = Row::judged(
         case,
         &Given {
             exact: Some(words),
             native: Some(vec![f32::NAN.to_bits(), 0, 0, 0]),
+            refused: None,
         },
     );
     assert_eq!(row.native, Some(f64::INFINITY));
@@ -167,31 +211,10 @@ fn native_errors_are_reported_and_not_judged() {
     assert_eq!((counts.device, counts.naive_beyond), (1, 1));
 }
 
-/// Every number of the catalogue is judged here or covered elsewhere, by what there is.
+/// No number of the catalogue is without a row.
 #[test]
-fn what_covers_the_others_exists() {
-    let mut numbers: Vec<u32> = COVERED.iter().map(|one| one.number).collect();
-    numbers.extend(all().iter().map(|case| case.number));
-    numbers.sort_unstable();
+fn every_number_has_a_row() {
+    let mut numbers: Vec<u32> = all().iter().map(|case| case.number).collect();
     numbers.dedup();
     assert_eq!(numbers, (1..=55).collect::<Vec<u32>>());
-    for one in COVERED {
-        let exists = match one.by {
-            By::Test { file, name } => {
-                let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
-                let text = std::fs::read_to_string(path).expect("the file");
-                let at = text.find(&format!("\nfn {name}()")).unwrap_or(0);
-                let marks: Vec<&str> = text[..at].lines().rev().take(2).collect();
-                let ignored = marks[0].starts_with("#[ignore");
-                ignored == one.input.ends_with("(--ignored)")
-                    && marks[usize::from(ignored)] == "#[test]"
-            }
-            By::Check { only } => {
-                let functions = corput::catalog::FUNCTIONS.iter().map(|f| f.name);
-                let integrands = corput::catalog::integrands().map(|i| i.name);
-                functions.chain(integrands).any(|name| name == only)
-            }
-        };
-        assert!(exists, "{one:?}");
-    }
 }

@@ -22,14 +22,17 @@ fn every_end_of_a_row_is_told() {
     let defect = defect.judged_of_driver();
     assert_eq!(defect.verdict, Verdict::Defect);
     let rows = [passed.judged(), failed.judged(), refused, defect];
-    let further = [None, Some("1 < 2".to_owned())].map(|failure| Further {
-        class: "statistics",
-        name: "slope".into(),
-        failure,
-    });
+    let why = Some("1 < 2".to_owned());
+    let further =
+        [(None, None), (why.clone(), None), (None, why)].map(|(failure, skipped)| Further {
+            class: "statistics",
+            name: "slope".into(),
+            failure,
+            skipped,
+        });
     let xml = junit(&rows, &["later".to_owned()], &further, "a \"device\"");
     for part in [
-        "tests=\"7\" failures=\"2\" errors=\"0\" skipped=\"3\"",
+        "tests=\"8\" failures=\"2\" errors=\"0\" skipped=\"4\"",
         "a &quot;device&quot;",
         "<testcase classname=\"exact.evaluate\" name=\"passed\" time=\"0.000\"></testcase>",
         "name=\"failed &lt;&quot;&amp;&gt;\"",
@@ -38,6 +41,7 @@ fn every_end_of_a_row_is_told() {
         "<skipped message=\"the driver's defect: 1.5e0 of what Vulkan allows at x = 2\"/>",
         "<testcase classname=\"statistics\" name=\"slope\"></testcase>",
         "name=\"slope\"><failure message=\"1 &lt; 2\"/></testcase>",
+        "name=\"slope\"><skipped message=\"1 &lt; 2\"/></testcase>",
         "<testcase classname=\"left out\" name=\"later\"><skipped message=\"no time was left\"/></testcase>",
     ] {
         assert!(xml.contains(part), "{part} is not in\n{xml}");

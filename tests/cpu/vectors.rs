@@ -82,7 +82,7 @@ fn files_hold_what_the_manifest_says() {
             );
         }
     }
-    let expected = ["function", "integrand", "map", "sequence"];
+    let expected = ["blue noise", "function", "integrand", "map", "sequence"];
     assert_eq!(kinds, BTreeSet::from(expected));
     // With the nine sources and the manifest.
     assert_eq!(files.len(), named.len() + 10);
@@ -99,6 +99,43 @@ fn sequences_are_read_as_points() {
         points.values()[5..7],
         [0.5, f64::from(1431655766u32) / f64::powi(2.0, 32)]
     );
+}
+
+/// Points far from each other, and masks in which each rank is once.
+#[test]
+fn blue_noise_is_among_them() {
+    let (mut masks, mut sets) = (0, 0);
+    vectors::each(&mut |entry| {
+        if let (Some(table), "blue-noise-mask") = (&entry.table, entry.name.as_str()) {
+            let pixels = table.words.len();
+            let ranks = table
+                .words
+                .iter()
+                .map(|&word| (u64::from(word) * pixels as u64) >> 32);
+            assert_eq!(
+                ranks.collect::<BTreeSet<u64>>().len(),
+                pixels,
+                "{}",
+                table.file
+            );
+            masks += 1;
+        }
+        if let (Some(table), "blue-noise") = (&entry.table, entry.name.as_str()) {
+            let points: Vec<&[u32]> = table.words.chunks_exact(2).collect();
+            let squares = (0..points.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+            let apart = |(i, j): (usize, usize)| {
+                let axis = |k: usize| f64::from(points[i][k].wrapping_sub(points[j][k]) as i32);
+                axis(0).hypot(axis(1)) / f64::powi(2.0, 32)
+            };
+            // Of random points the least would be some 1 / 1500.
+            let least = squares.map(apart).fold(1.0, f64::min);
+            assert!(least > 0.02, "{least}");
+            sets += 1;
+        }
+        Ok(())
+    })
+    .expect("the catalogue is right");
+    assert_eq!((masks, sets), (2, 1));
 }
 
 #[test]

@@ -15,7 +15,7 @@ use corput::Result;
 use corput::catalog::{FUNCTIONS, Function};
 use corput::check::Verdict;
 use corput::exhaustive::{self, Domain, Hash, INDICES, Row, compare_function, compare_inverses};
-use corput::kernels::{Evaluator, Generator, kernel};
+use corput::kernels::{Evaluator, Generator, Reducer, kernel};
 use corput::report::hexadecimal;
 use corput::vulkan::Device;
 use serde_json::{Value, json};
@@ -216,6 +216,7 @@ fn a_row_has_the_published_hash() {
         let rows = exhaustive::run(
             device,
             &chosen,
+            None,
             &mut |name, done, total| {
                 assert!(name == "multiply" && heard <= done && done <= total);
                 heard = done;
@@ -223,8 +224,8 @@ fn a_row_has_the_published_hash() {
             },
             &mut |_| seen += 1,
         );
-        let rows = expected(rows);
-        assert_eq!((rows.len(), seen), (1, 1));
+        let (rows, left_out) = expected(rows);
+        assert_eq!((rows.len(), seen, left_out.len()), (1, 1, 0));
         let row = &rows[0];
         println!("{:#}", row.json());
         assert_eq!(row.verdict, Verdict::Passed);
@@ -296,6 +297,53 @@ fn inverses_of_another_base_are_found() {
             assert_eq!(wrong.worst, Some(f64::INFINITY));
             assert_eq!(wrong.sha256, right.sha256);
         }
+    });
+}
+
+/// The sum of equal terms, of fewer than the command has: and a kernel that leaves out the last of
+/// each run.
+#[test]
+fn sums_of_equal_terms_are_judged() {
+    support::on_one_device(|device| {
+        let watch = &mut |_, _| Ok(());
+        let terms = 1 << 22;
+        let right = exhaustive::compare_terms(
+            terms,
+            &mut |group| Reducer::with_group(device, group),
+            watch,
+        );
+        let right = expected(right);
+        assert_eq!(right.verdict, Verdict::Passed, "{right:?}");
+        assert_eq!((right.figures.compared, right.worst), (18, Some(0.0)));
+        let stock = *expected(kernel("reduce"));
+        let words = support::edited(&stock, |source| {
+            let (right, wrong) = ("k < count;", "k < count - 1u;");
+            assert!(source.contains(right), "{source}");
+            source.replace(right, wrong)
+        });
+        let broken = exhaustive::compare_terms(
+            terms,
+            &mut |_| Reducer::with_module(device, stock, &words),
+            watch,
+        );
+        let broken = expected(broken);
+        assert_eq!(broken.verdict, Verdict::Failed);
+        assert_eq!(broken.figures.mismatches, 18);
+        assert!(broken.further().failure.is_some());
+    });
+}
+
+/// A row that began ends, those after it are named, and nothing at all is no success.
+#[test]
+fn time_bounds_the_rows() {
+    support::on_one_device(|device| {
+        let chosen = expected(exhaustive::chosen(Some("multiply")));
+        let ran = |time| exhaustive::run(device, &chosen, time, &mut |_, _, _| Ok(()), &mut |_| ());
+        let none = ran(Some(std::time::Duration::ZERO));
+        assert_eq!(none.map_err(|error| error.exit_code()).err(), Some(2));
+        let (rows, left_out) = expected(ran(Some(std::time::Duration::from_millis(1))));
+        assert_eq!((rows.len(), left_out.len()), (1, chosen.len() - 1));
+        assert!(chosen.len() > 1);
     });
 }
 

@@ -81,24 +81,3 @@ fn splits_and_groups_beyond_limits_are_refused() {
         }
     });
 }
-
-/// 2^28 equal terms: their number times the term, in groups of six sizes and split in three ways.
-#[test]
-#[ignore = "minutes"]
-fn many_equal_terms_are_their_product() {
-    const TERM: f32 = -1.999_999_9;
-    support::on_one_device(|device| {
-        let part = vec![TERM; 1 << 22];
-        let groups = [1, 32, 64, 96, 128, largest_group(device)];
-        let splits = [(1 << 22, 1 << 15), (1 << 20, 256), ((1 << 21) + 7, 1_000)];
-        for (group, (dispatch, run)) in groups.iter().flat_map(|g| splits.map(|s| (*g, s))) {
-            let reducer = Reducer::with_group(device, group).expect("a reducer");
-            let split = Split { dispatch, run };
-            let sum = || reducer.reduce_in(&part, split).expect("a sum");
-            let all = (1..64).fold(sum(), |all, _| all.merged(sum()).expect("one unit"));
-            println!("groups of {group}, {split:?}: {}", all.value());
-            assert_eq!(all.count(), 1 << 28);
-            assert_eq!(all.value(), f64::from(TERM) * f64::powi(2.0, 28));
-        }
-    });
-}

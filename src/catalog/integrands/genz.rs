@@ -187,6 +187,7 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
     Integrand {
         name: "sobol-g",
         id: integrand::SOBOL_G,
+        dimensions: (1, 1024),
         parameters: &[Parameter {
             name: "growth",
             size: 1,
@@ -196,7 +197,15 @@ pub(super) const INTEGRANDS: &[Integrand] = &[
         }],
         prepare: |s| sobol_g(s.values, s.dimensions),
         truth: |_| 1.0,
-        examples: &[(&[1.0], 8), (&[0.25], 64), (&[1000.0], 3), (&[1.0], 1)],
+        // 1024 steps of three cuts by 2^-30 each.
+        error: 3e-6,
+        examples: &[
+            (&[1.0], 8),
+            (&[0.25], 64),
+            (&[1000.0], 3),
+            (&[1.0], 1),
+            (&[1.0], 1000),
+        ],
         summary: "kinks in the middle, and variables of declining weight",
         formula: "product of (|4 x_j - 2| + a_j) / (1 + a_j)",
         source: "Saltelli and Sobol 1995",

@@ -166,8 +166,23 @@ fn extreme_cases_are_one_document() {
     assert_eq!(counts["on_device"], device.count());
     let host = rows.iter().filter(|row| row["subject"] == "host");
     assert_eq!(counts["on_host_alone"], host.count());
-    desk.run("check --extreme --seconds 1")
-        .expect(2, &["--extreme"]);
+    let refused = rows.iter().filter(|row| row["verdict"] == "refused");
+    assert_eq!(counts["refused"], refused.count());
+    // A part, none, and all as JUnit.
+    let part = document(&desk, "check --extreme --seconds 0.001 --json");
+    let (some, left) = (&part["rows"], &part["left_out"]);
+    let [some, left] = [some, left].map(|list| list.as_array().unwrap().len());
+    assert!(some > 0 && left > 0);
+    assert_eq!(some + left, rows.len());
+    desk.run("check --extreme --seconds 0")
+        .expect(2, &["no kernel began"]);
+    desk.run("check --extreme --device cpu --junit j.xml")
+        .expect(0, &[]);
+    let xml = String::from_utf8(desk.bytes("j.xml")).unwrap();
+    let cases = format!("tests=\"{}\" failures=\"0\"", rows.len());
+    assert!(xml.contains(&cases), "{xml}");
+    desk.run("check --extreme --device cpu --seconds 1")
+        .expect(2, &["--seconds", "on the CPU"]);
     // The CPU alone has the same errors of its own.
     let alone = document(&desk, "check --extreme --device cpu --json");
     assert_eq!(alone["device"], "cpu");
@@ -176,4 +191,94 @@ fn extreme_cases_are_one_document() {
     for (one, other) in rows.iter().zip(alone["rows"].as_array().unwrap()) {
         assert_eq!(one["cpu"], other["cpu"]);
     }
+}
+
+/// The first of two rows, by which the other's time is spent.
+#[test]
+fn an_exhaustive_check_is_bounded_and_told() {
+    if skips() {
+        return;
+    }
+    let desk = Desk::new();
+    let line = "check --exhaustive --only korobov,";
+    desk.run(line).expect(2, &["korobov,"]);
+    desk.run("check --exhaustive --only multiply --seconds 0")
+        .expect(2, &["no row began"]);
+    let fast = match desk.say("devices").contains("llvmpipe") {
+        true => "--device llvmpipe",
+        false => "",
+    };
+    let line = "check --exhaustive --only multiply --seconds 0.001 --json --junit j.xml";
+    let run = desk.run(&format!("{line} {fast}"));
+    run.expect(0, &[]);
+    let said: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let left = said["left_out"].as_array().unwrap().len();
+    assert!(left > 0);
+    assert_eq!(said["rows"].as_array().unwrap().len(), 1);
+    assert_eq!(said["rows"][0]["hash"], "equal");
+    let xml = String::from_utf8(desk.bytes("j.xml")).unwrap();
+    let cases = format!(
+        "tests=\"{}\" failures=\"0\" errors=\"0\" skipped=\"{left}\"",
+        left + 1
+    );
+    assert!(xml.contains(&cases), "{xml}");
+}
+
+/// The steps of the README's workflow in an engine that has this repository as a submodule: the
+/// script and the manifest are where they say, and the last step, bounded, leaves what is uploaded.
+#[test]
+#[cfg(unix)]
+fn the_workflow_of_the_readme_runs() {
+    use std::process::Command;
+    if skips() {
+        return;
+    }
+    let root = env!("CARGO_MANIFEST_DIR");
+    let readme = fs::read_to_string(format!("{root}/README.md")).unwrap();
+    let workflow = readme.split("```yaml").nth(1).unwrap();
+    let workflow = workflow.split("```").next().unwrap();
+    let steps: Vec<&str> = workflow
+        .lines()
+        .filter_map(|line| line.split_once("- run: "))
+        .map(|(_, step)| step.split(" #").next().unwrap().trim_end())
+        .collect();
+    let [setup, build, check] = steps.as_slice() else {
+        panic!("{steps:?}");
+    };
+    let desk = Desk::new();
+    fs::create_dir(desk.path("extern")).unwrap();
+    std::os::unix::fs::symlink(root, desk.path("extern/corput")).unwrap();
+    let shell = |line: &str| {
+        let mut command = Command::new("bash");
+        let run = command.args(["-euc", line]).current_dir(desk.path("."));
+        let output = run.output().expect("it runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "`{line}`: {said}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    // What it installs is there where this runs: its words are read, not followed.
+    let script = setup.split(' ').nth(1).unwrap();
+    shell(&format!("bash -n {script}"));
+    let told = format!(". scripts/{}", setup.split_once("scripts/").unwrap().1);
+    let text = fs::read_to_string(desk.path(script)).unwrap();
+    assert!(text.contains(&told), "{told}");
+    // What cargo would build there is here already.
+    let (cargo, manifest) = build.split_once(" --manifest-path ").unwrap();
+    assert_eq!(cargo, "cargo build --release");
+    assert!(desk.path(manifest).is_file(), "{manifest}");
+    let built = manifest.replace("Cargo.toml", "target/release/corput");
+    let check = check
+        .strip_prefix(&built)
+        .unwrap_or_else(|| panic!("{check}"));
+    shell(&format!(
+        "{}{check} --seconds 3",
+        env!("CARGO_BIN_EXE_corput")
+    ));
+    let upload = workflow.split("path: ").nth(1).unwrap();
+    let folder = upload.split([' ', '}']).next().unwrap();
+    for name in ["report.html", "report.json", "junit.xml"] {
+        assert!(desk.path(folder).join(name).is_file(), "{name}");
+    }
+    let xml = desk.bytes("junit.xml");
+    assert!(xml.starts_with(b"<?xml"));
 }
