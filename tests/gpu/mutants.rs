@@ -65,6 +65,9 @@ fn every_mutant_is_killed() {
                 killer,
             } = mutant;
             if harness::is_missing(device, *target) {
+                if device.info().name.contains("llvmpipe") {
+                    survived(format!("{name}: not tried, and llvmpipe has every kernel"));
+                }
                 println!("{name}: not tried, for want of a device with that kernel");
                 return;
             }
