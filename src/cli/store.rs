@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::panic::resume_unwind;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
 use std::thread;
 
 /// The name of the format, and the ending that stands for it.
@@ -89,9 +89,15 @@ fn fill(store: &Store, chunks: Range<u64>, engine: &mut dyn Engine, path: &Path)
     let total = length(&chunks);
     let kept = thread::scope(|scope| {
         let (queue, made) = sync_channel(1);
-        let write = |(chunk, words): Made| store.put(chunk, &words);
+        let (spent, spare) = channel();
+        let write = move |(chunk, words): Made| {
+            store.put(chunk, &words)?;
+            // The next chunk takes the memory, if there is one.
+            let _ = spent.send(words);
+            Ok(())
+        };
         let writer = scope.spawn(move || made.into_iter().try_for_each(write));
-        let kept = produce(store, chunks, engine, path, queue);
+        let kept = produce(store, chunks, engine, path, (queue, &spare));
         // A panic of the thread is a bug, and one here too.
         let written = writer.join().unwrap_or_else(|panic| resume_unwind(panic));
         written.and(kept)
@@ -108,7 +114,7 @@ fn produce(
     chunks: Range<u64>,
     engine: &mut dyn Engine,
     path: &Path,
-    queue: SyncSender<Made>,
+    (queue, spare): (SyncSender<Made>, &Receiver<Vec<u32>>),
 ) -> Result<u64> {
     let points = store.rows(chunks.start).start..store.rows(chunks.end - 1).end;
     let bar = progress::points(length(&points));
@@ -125,7 +131,8 @@ fn produce(
             bar.inc(length(&rows));
             continue;
         }
-        let words = make(engine, &rows, &step)?;
+        let mut words = spare.try_recv().unwrap_or_default();
+        make(engine, &rows, &step, &mut words)?;
         if queue.send((chunk, words)).is_err() {
             // The writer has met an error, which it returns.
             break;
@@ -145,18 +152,19 @@ fn stop(done: u64, total: u64, path: &Path) -> Result<()> {
     })
 }
 
-/// The words of consecutive points; `step` is told how many each piece of them has.
+/// The words of consecutive points in place of those that there are; `step` is told how many each
+/// piece of them has.
 fn make(
     engine: &mut dyn Engine,
     rows: &Range<u64>,
     step: &dyn Fn(u64) -> Result<()>,
-) -> Result<Vec<u32>> {
-    let mut words = Vec::new();
+    words: &mut Vec<u32>,
+) -> Result<()> {
+    words.clear();
     engine.make_range(rows.clone(), &mut |piece| {
         words.extend_from_slice(piece);
         step(piece.len() as u64)
-    })?;
-    Ok(words)
+    })
 }
 
 fn length(range: &Range<u64>) -> u64 {
