@@ -3,7 +3,7 @@
 use super::args::EstimateArgs;
 use super::{host, interrupt, pixels, print, progress};
 use corput::bulk;
-use corput::catalog::{Options, Problem, Raster, Request, Sampler, Scramble, Shard};
+use corput::catalog::{Options, Problem, Profile, Raster, Request, Sampler, Scramble, Shard};
 use corput::estimate::Estimate;
 use corput::interface::Column;
 use corput::kernels::Estimator;
@@ -81,8 +81,7 @@ fn made(
     points: Range<u64>,
 ) -> anyhow::Result<Made> {
     let count = points.end - points.start;
-    let asked = host::asked(args.device.as_deref());
-    if host::is_cpu(asked.as_deref()) {
+    let Some(device) = host::open_or_cpu(args.device.as_deref(), Profile::Exact)? else {
         let begun = Instant::now();
         let estimate = bulk::estimate(problem, request, points.start, count)?;
         return Ok(Made {
@@ -93,8 +92,7 @@ fn made(
             device_ms: None,
             total_ms: begun.elapsed().as_secs_f64() * 1e3,
         });
-    }
-    let device = host::open(args.device.as_deref())?;
+    };
     let mut estimator = Estimator::new(&device, problem, request)?;
     let bar = progress::points(count);
     interrupt::clean_up();

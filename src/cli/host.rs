@@ -2,7 +2,7 @@
 
 use super::auto;
 use corput::bulk::Reference;
-use corput::catalog::{Engine, Request};
+use corput::catalog::{Engine, Profile, Request};
 use corput::kernels::Generator;
 use corput::vulkan::{Device, DeviceInfo, Instance, InstanceOptions, select};
 use corput::{Error, Result};
@@ -56,17 +56,33 @@ pub type Chosen = (Source, Option<Arc<Device>>);
 
 /// The engine for a request.
 pub fn engine(argument: Option<&str>, request: &Request) -> Result<Chosen> {
-    let asked = asked(argument);
-    if is_cpu(asked.as_deref()) {
-        let reference = Box::new(Reference::new(request));
-        return Ok((Source::Host(reference), None));
-    }
-    if is_auto(asked.as_deref()) {
+    if is_auto(asked(argument).as_deref()) {
         return auto::choose(request);
     }
-    let device = open(argument)?;
+    let Some(device) = open_or_cpu(argument, request.profile)? else {
+        let reference = Box::new(Reference::new(request));
+        return Ok((Source::Host(reference), None));
+    };
     let generator = Generator::new(&device, request)?;
     Ok((Source::Device(Box::new(generator)), Some(device)))
+}
+
+/// The chosen device; none where the CPU is chosen, or where nobody chose and there is no device,
+/// which standard error then says: the exact profile has the same bytes there.
+pub fn open_or_cpu(argument: Option<&str>, profile: Profile) -> Result<Option<Arc<Device>>> {
+    let asked = asked(argument);
+    if is_cpu(asked.as_deref()) {
+        return Ok(None);
+    }
+    match open(argument) {
+        Err(error @ (Error::NoDevice { .. } | Error::InadequateDevice { .. }))
+            if asked.is_none() && profile == Profile::Exact =>
+        {
+            eprintln!("corput: warning: the CPU does the work: {error}");
+            Ok(None)
+        }
+        opened => opened.map(Some),
+    }
 }
 
 /// Opens the chosen device.

@@ -10,7 +10,7 @@ use super::format::Format;
 use super::generate::element;
 use super::{host, interrupt, progress};
 use corput::blue_noise::{MaskShape, void_and_cluster};
-use corput::catalog::Guide;
+use corput::catalog::{Guide, Profile};
 use corput::kernels::VoidAndCluster;
 use corput::picture::{self, Size};
 use corput::reference::blue_noise::blue_noise_fraction;
@@ -82,11 +82,7 @@ fn shape(args: &GenerateArgs) -> Result<(MaskShape, u32)> {
 
 /// The device that ranks the pixels; none for the CPU.
 fn open(args: &GenerateArgs) -> Result<Option<Arc<Device>>> {
-    let asked = args.device.as_deref();
-    match host::is_cpu(host::asked(asked).as_deref()) {
-        true => Ok(None),
-        false => host::open(asked).map(Some),
-    }
+    host::open_or_cpu(args.device.as_deref(), Profile::Exact)
 }
 
 /// Refuses what only masks have, for points.

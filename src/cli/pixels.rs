@@ -9,7 +9,7 @@ use super::estimate::{about, heading};
 use super::format::Format;
 use super::{host, interrupt, print, progress};
 use corput::bulk::estimate_pixels;
-use corput::catalog::{Raster, Request};
+use corput::catalog::{Profile, Raster, Request};
 use corput::estimate::{Estimate, Pixels};
 use corput::kernels::PixelEstimator;
 use corput::picture::{self, Size};
@@ -60,7 +60,7 @@ struct Made {
 
 fn made(args: &EstimateArgs, raster: &Raster) -> anyhow::Result<Made> {
     let total = raster.count() * u64::from(raster.pixels());
-    if host::is_cpu(host::asked(args.device.as_deref()).as_deref()) {
+    let Some(device) = host::open_or_cpu(args.device.as_deref(), Profile::Exact)? else {
         let bar = progress::points(total);
         let begun = Instant::now();
         let [width, _] = raster.size();
@@ -79,8 +79,7 @@ fn made(args: &EstimateArgs, raster: &Raster) -> anyhow::Result<Made> {
             device_ms: None,
             total_ms: begun.elapsed().as_secs_f64() * 1e3,
         });
-    }
-    let device = host::open(args.device.as_deref())?;
+    };
     let mut estimator = PixelEstimator::new(&device, raster)?;
     let bar = progress::points(total);
     let begun = Instant::now();

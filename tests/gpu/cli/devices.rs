@@ -75,7 +75,8 @@ fn no_driver_is_said_with_how_to_get_one() {
     for line in [
         "devices",
         "devices --json",
-        "generate halton --count 10 --out p.npy",
+        "generate halton --count 10 --device 0 --out p.npy",
+        "generate halton --count 10 --map cone --param theta_max=1 --profile native --out p.npy",
         "check",
         "bench",
         "accuracy",
@@ -85,10 +86,21 @@ fn no_driver_is_said_with_how_to_get_one() {
         assert_eq!(run.stdout, b"");
     }
     assert!(desk.names().is_empty());
-    let line = "generate halton --count 10 --device cpu --out p.npy";
-    bare(&desk, line).expect(0, &[]);
-    let array = npy(&desk.bytes("p.npy"));
-    array.assert_is("<f4", 10, 2);
+    let line = "generate halton --count 10 --out p.npy";
+    bare(&desk, &format!("{line} --device cpu")).expect(0, &[]);
+    let asked = desk.bytes("p.npy");
+    npy(&asked).assert_is("<f4", 10, 2);
+    // Where nobody asks for a device, the CPU gives the same bytes, and says so.
+    let told = ["the CPU does the work", "no Vulkan device"];
+    bare(&desk, line).expect(0, &told);
+    assert!(desk.bytes("p.npy") == asked);
+    for line in [
+        "generate blue-noise-mask --size 8 --out m.png",
+        "estimate --integrand disk-step --sampler sobol --count 64",
+        "verify p.npy",
+    ] {
+        bare(&desk, line).expect(0, &told);
+    }
     bare(&desk, "headers --out h").expect(0, &[]);
 }
 
