@@ -26,7 +26,29 @@ fn example(python: &Path, desk: &Desk, arguments: &str) -> (Option<i32>, String)
     (code, read_to_string(said).expect("UTF-8"))
 }
 
+/// A corput whose first call is killed half-way together with the worker that made it, and whose
+/// second fails.
+#[cfg(unix)]
+fn faulty(desk: &Desk) -> String {
+    use std::os::unix::fs::PermissionsExt;
+    let corput = env!("CARGO_BIN_EXE_corput");
+    let [died, failed] = ["died", "failed"].map(|name| desk.path(name).display().to_string());
+    let script = format!(
+        "#!/bin/sh\n\
+         if mkdir '{died}' 2>/dev/null; then '{corput}' \"$@\" & sleep 0.2; kill -9 $! $PPID; fi\n\
+         if mkdir '{failed}' 2>/dev/null; then echo 'a fault of the test' >&2; exit 4; fi\n\
+         exec '{corput}' \"$@\"\n"
+    );
+    let path = desk.path("faulty");
+    std::fs::write(&path, script).expect("a script");
+    std::fs::set_permissions(&path, PermissionsExt::from_mode(0o755)).expect("it may run");
+    path.display().to_string()
+}
+
+/// One worker dies in the middle of a shard, and one task fails: both are tried again, and the store
+/// is what a single run makes.
 #[test]
+#[cfg(unix)]
 fn workers_fill_a_store() {
     let packages = ["zarr==3.*", "dask", "distributed"];
     let check = "import dask, distributed, zarr; assert zarr.__version__ >= '3'";
@@ -37,9 +59,11 @@ fn workers_fill_a_store() {
     let desk = Desk::new();
     let points = "--count 5000000 --dims 2";
     let more = "--scramble owen-hash --seed 3";
-    let line = format!("--workers 2 --shards 3 {points} -- {more}");
+    let corput = faulty(&desk);
+    let line = format!("--workers 2 --shards 3 --corput {corput} {points} -- {more}");
     let (code, said) = example(&python, &desk, &line);
     assert_eq!(code, Some(0), "{said}");
+    assert!(desk.path("died").is_dir() && desk.path("failed").is_dir());
     for shard in ["0/3", "1/3", "2/3"] {
         assert!(
             said.contains(&format!("shard {shard} by worker ")),
