@@ -38,18 +38,19 @@ pub fn run(args: &StripArgs) -> anyhow::Result<()> {
         .as_ref()
         .map(|path| (path, page(&scene, &needs, &comparison, device.as_deref())));
     let mut files: Vec<(PathBuf, &[u8])> = Vec::new();
+    if let Some((path, _)) = &page
+        && let Some(folder) = path
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty())
+    {
+        create_folder(folder, "--report")?;
+    }
     if let Some(out) = &args.out {
         create_folder(out, "--out")?;
         let made = made.files.iter();
         files.extend(made.map(|file| (out.join(&file.name), file.bytes.as_slice())));
     }
     if let Some((path, page)) = &page {
-        if let Some(folder) = path
-            .parent()
-            .filter(|folder| !folder.as_os_str().is_empty())
-        {
-            create_folder(folder, "--report")?;
-        }
         files.push(((*path).clone(), page.as_bytes()));
     }
     save_all(files)?;

@@ -223,7 +223,7 @@ pub fn read(path: &Path) -> Result<Scene> {
     match ending.as_deref() {
         Some("gltf" | "glb") => {
             let mut scene = gltf::read(path)?;
-            let line = "no environment: glTF has none; a scene file may add one";
+            let line = "no environment: core glTF has none, and EXT_lights_image_based is not read; a scene file may add one";
             scene.found.push(line.into());
             Ok(scene)
         }

@@ -35,20 +35,33 @@ pub(super) fn check(target: &Target, domains: &[Domain]) -> Result<()> {
         target.group_invocations,
         GROUP.into(),
         "invocations of a workgroup",
+        "group-invocations",
     )?;
     within(
         target.push_constant_bytes,
         PUSH_BYTES.into(),
         "bytes of push constants",
+        "push-constant-bytes",
     )?;
+    let keys: Vec<&str> = tables.iter().map(|(key, _)| *key).collect();
+    let of = match keys.as_slice() {
+        [] => String::new(),
+        keys => format!(" and the tables of {}", keys.join(", ")),
+    };
     within(
         target.storage_buffers,
         1 + tables.len() as u64,
-        "storage buffers, for results and tables",
+        &format!("storage buffers, for results{of}"),
+        "storage-buffers",
     )?;
     for (key, bytes) in tables {
         let what = format!("bytes of a storage buffer, for the table of {key}");
-        within(target.storage_buffer_bytes, bytes, &what)?;
+        within(
+            target.storage_buffer_bytes,
+            bytes,
+            &what,
+            "storage-buffer-bytes",
+        )?;
     }
     Ok(())
 }
@@ -65,11 +78,11 @@ fn table(domain: &Domain) -> Result<Option<(&str, u64)>> {
     Ok((words > 0).then_some((domain.key.as_str(), 4 * words as u64)))
 }
 
-fn within(limit: Option<u64>, needed: u64, what: &str) -> Result<()> {
+fn within(limit: Option<u64>, needed: u64, what: &str, key: &str) -> Result<()> {
     match limit {
         Some(limit) if limit < needed => Err(refused(
             format!("{needed} {what}"),
-            &format!("the target has {limit}"),
+            &format!("the target has {limit}, says [target] {key}"),
             "choose another target, or leave out of the scene what needs them",
         )),
         _ => Ok(()),

@@ -227,7 +227,7 @@ fn the_target_is_asked_before_work_begins() {
         (
             "storage-buffers",
             2,
-            "2 storage buffers, for results and tables: the target has 1",
+            "2 storage buffers, for results and the tables of light.0.triangle: the target has 1, says [target] storage-buffers",
         ),
         (
             "storage-buffer-bytes",

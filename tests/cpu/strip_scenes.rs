@@ -9,7 +9,7 @@ mod corpus;
 mod languages;
 
 use corpus::{Case, files};
-use corput::bench::scene::stock_points;
+use corput::bench::scene::{rows, sizes, stock_points};
 use corput::catalog::Sampler;
 use corput::compile::to_spirv_lean;
 use corput::kernels::spirv;
@@ -23,20 +23,20 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-/// Bytes that a scene's module may have: what it has, and a twentieth more.
+/// Bytes that a scene's module may have: what it has, and a twentieth more at most.
 const BUDGETS: &[(&str, usize)] = &[
-    ("depth_of_field", 55_000),
-    ("diffuse_quad", 22_500),
+    ("depth_of_field", 54_900),
+    ("diffuse_quad", 22_600),
     ("diffuse_sky", 55_600),
-    ("everything", 170_900),
-    ("fog", 69_800),
+    ("everything", 156_800),
+    ("fog", 68_100),
     ("glossy_sphere", 143_800),
-    ("lantern", 97_900),
+    ("lantern", 97_600),
     ("layered", 127_100),
     ("many_lights", 145_400),
     ("motion_blur", 94_000),
-    ("studio", 111_700),
-    ("studio_sky", 157_800),
+    ("studio", 111_000),
+    ("studio_sky", 155_500),
 ];
 
 fn scene(name: &str) -> (Scene, Needs) {
@@ -68,9 +68,47 @@ fn modules_are_within_their_budgets() {
             "{name} has {bytes} bytes, more than {budget}"
         );
         assert!(
-            bytes > budget * 8 / 10,
+            bytes * 21 / 20 + 100 > *budget,
             "{name} has {bytes} bytes: lower its budget of {budget}"
         );
+    }
+}
+
+/// `scripts/scene-tables` writes the page; its sizes and causes are those of today.
+#[test]
+fn the_page_of_scenes_is_of_these_modules() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scenes.md");
+    let page = std::fs::read_to_string(path).unwrap();
+    let spaced = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+    for Case { name, .. } in files() {
+        let part = page.split(&format!("\n## `{name}`\n")).nth(1);
+        let part = part.unwrap_or_else(|| panic!("{name} is not in docs/scenes.md"));
+        let lines: Vec<String> = part
+            .lines()
+            .take_while(|line| !line.starts_with("## "))
+            .map(spaced)
+            .collect();
+        let (scene, needs) = scene(&name);
+        let made = stripped(&scene, &needs);
+        let sizes = sizes(&needs, &made.program, &made.spirv).unwrap();
+        for row in rows(&sizes) {
+            let row = spaced(&row.join(" "));
+            assert!(
+                lines.contains(&row),
+                "{name}: `{row}` is not in docs/scenes.md"
+            );
+        }
+        for domain in &needs.domains {
+            // The table wraps long ones.
+            let cause = domain.cause.to_string();
+            let cause = cause.split(' ').take(3).collect::<Vec<_>>().join(" ");
+            let told = |line: &&String| line.starts_with(&domain.key) && line.contains(&cause);
+            assert!(
+                lines.iter().any(|line| told(&line)),
+                "{name}: {} because of {cause}",
+                domain.key
+            );
+        }
     }
 }
 

@@ -142,7 +142,7 @@ pub fn page(scene: &Scene, needs: &Needs, one: &Comparison, device: Option<&str>
         }
     );
     main += "<h2>Full against stripped</h2>\n<p>Full are the stock kernels that draw the same, \
-             all chosen at run time: ";
+             whose maps, bases, nets, scrambles and seeds are chosen at run time: ";
     main += &escape(&one.full.kernels.join(", "));
     main += ".</p>\n";
     main += &table(&["", "full", "stripped", "full / stripped"], &rows(one));

@@ -40,6 +40,11 @@ pub(super) fn open(path: &Path) -> Result<Opened> {
     let Gltf { document, blob } = Gltf::from_slice_without_validation(&bytes)
         .map_err(|error| refused(path, short_error(&error), BROKEN))?;
     let mut root = document.into_json();
+    let version = root.asset.version.as_str();
+    if version.split('.').next() != Some("2") {
+        let problem = format!("it is of glTF {}", short(version));
+        return Err(refused(path, problem, "export it as glTF 2.0"));
+    }
     let required = std::mem::take(&mut root.extensions_required);
     if let Some(unknown) = required
         .iter()

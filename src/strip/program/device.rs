@@ -6,7 +6,9 @@ use crate::compile::{check, to_spirv, to_spirv_lean};
 use crate::interface::Profile;
 use crate::scene::PUSH_BYTES;
 use crate::spirv::drop_local_names;
-use crate::vulkan::{Access, Buffer, Device, Pipeline, PipelineDescription, Timing};
+use crate::vulkan::{
+    Access, Buffer, BufferSlice, Device, Pipeline, PipelineDescription, Recording, Timing,
+};
 use crate::{Error, Result};
 use std::sync::Arc;
 
@@ -60,7 +62,7 @@ impl Program {
 /// Samples of a scene by its own kernel.
 pub struct Sampler {
     device: Arc<Device>,
-    pipeline: Pipeline,
+    pipeline: Arc<Pipeline>,
     program: Program,
     tables: Vec<Buffer>,
 }
@@ -99,7 +101,7 @@ impl Sampler {
         let tables = program.tables.iter().map(|one| table(&one.words));
         Ok(Self {
             device: Arc::clone(device),
-            pipeline: Pipeline::with_uniforms(device, &description, &uniforms)?,
+            pipeline: Arc::new(Pipeline::with_uniforms(device, &description, &uniforms)?),
             tables: tables.collect::<Result<_>>()?,
             program: program.clone(),
         })
@@ -111,6 +113,44 @@ impl Sampler {
     /// [`Error::Arguments`] for a smaller buffer, for samples past the scene's last, and for a
     /// first index that is no multiple of [`Program::aligned`]; those of the device.
     pub fn dispatch(&self, results: &Buffer, first: u32, count: u32) -> Result<Timing> {
+        self.check_end(first, count)?;
+        self.dispatch_any(results, first, count)
+    }
+
+    /// Records the same into commands of corput's or of the caller's, and a slice of a buffer of
+    /// either, of which whole invocations are written.
+    ///
+    /// # Errors
+    /// Those of [`Self::dispatch`], and [`Error::Arguments`] for a program that has its parameters
+    /// in a uniform buffer.
+    pub fn record(
+        &self,
+        recording: &mut Recording,
+        target: &BufferSlice,
+        first: u32,
+        count: u32,
+    ) -> Result<()> {
+        if self.program.parameter_binding().is_some() {
+            return Err(Error::Arguments {
+                asked: format!("{} recorded", self.program.name),
+                limit: "its parameters are in a uniform buffer".to_owned(),
+                remedy: "strip it with push constants, as for SPIR-V".to_owned(),
+            });
+        }
+        self.check_end(first, count)?;
+        self.check(target.bytes(), first, count)?;
+        let numbers = self.program.tables.iter().map(|table| table.binding);
+        let mut slices = vec![(super::SAMPLES, target.clone())];
+        slices.extend(numbers.zip(self.tables.iter().map(Buffer::whole)));
+        let push = [first, count];
+        let groups = self.program.groups(u64::from(count));
+        if groups == 0 {
+            return Ok(());
+        }
+        recording.dispatch(&self.pipeline, &slices, bytemuck::cast_slice(&push), groups)
+    }
+
+    fn check_end(&self, first: u32, count: u32) -> Result<()> {
         let end = u64::from(first) + u64::from(count);
         if end > self.program.samples {
             return Err(Error::Arguments {
@@ -119,30 +159,12 @@ impl Sampler {
                 remedy: "ask for fewer, or strip it for more".to_owned(),
             });
         }
-        self.dispatch_any(results, first, count)
+        Ok(())
     }
 
     /// The same also past the last sample, where points are not the sampler's: for times.
     pub(crate) fn dispatch_any(&self, results: &Buffer, first: u32, count: u32) -> Result<Timing> {
-        let aligned = self.program.aligned;
-        if !first.is_multiple_of(aligned) {
-            return Err(Error::Arguments {
-                asked: format!("samples from {first}"),
-                limit: format!("{} begins at multiples of {aligned}", self.program.name),
-                remedy: format!(
-                    "begin at {}, or strip it without --int64",
-                    first - first % aligned
-                ),
-            });
-        }
-        let needed = self.program.sample_bytes(count.into());
-        if results.bytes() < needed {
-            return Err(Error::Arguments {
-                asked: format!("{count} samples in {} bytes", results.bytes()),
-                limit: format!("they need {needed}"),
-                remedy: "give a larger buffer".to_owned(),
-            });
-        }
+        self.check(results.bytes(), first, count)?;
         let parameters = [first, count, 0, 0];
         let mut buffers = vec![(super::SAMPLES, results)];
         let numbers = self.program.tables.iter().map(|table| table.binding);
@@ -160,6 +182,30 @@ impl Sampler {
         buffers.extend(self.program.parameter_binding().zip(uniform.as_ref()));
         let groups = self.program.groups(u64::from(count));
         self.device.run(&self.pipeline, &buffers, push, groups)
+    }
+
+    /// Checks the first sample, and the room for all.
+    fn check(&self, bytes: u64, first: u32, count: u32) -> Result<()> {
+        let aligned = self.program.aligned;
+        if !first.is_multiple_of(aligned) {
+            return Err(Error::Arguments {
+                asked: format!("samples from {first}"),
+                limit: format!("{} begins at multiples of {aligned}", self.program.name),
+                remedy: format!(
+                    "begin at {}, or strip it without --int64",
+                    first - first % aligned
+                ),
+            });
+        }
+        let needed = self.program.sample_bytes(count.into());
+        if bytes < needed {
+            return Err(Error::Arguments {
+                asked: format!("{count} samples in {bytes} bytes"),
+                limit: format!("they need {needed}"),
+                remedy: "give a larger buffer".to_owned(),
+            });
+        }
+        Ok(())
     }
 
     /// Records of samples, all at once.

@@ -165,7 +165,8 @@ fn refusal(change: impl FnOnce(&mut Value)) -> String {
 #[test]
 fn broken_files_are_refused() {
     assert!(changed(|_, _| {}).is_ok());
-    let cases: [(&str, Value, &str); 14] = [
+    let cases: [(&str, Value, &str); 15] = [
+        ("/asset/version", json!("3.0"), "it is of glTF 3.0"),
         (
             "/extensionsRequired",
             json!(["KHR_draco_mesh_compression"]),

@@ -98,8 +98,8 @@ fn compilers_take_the_files() {
         let said = String::from_utf8_lossy(&done.stderr).into_owned();
         assert!(done.status.success(), "{program} {arguments:?}: {said}");
     };
-    for name in ["diffuse_sky", "everything", "lantern"] {
-        let (scene, needs) = scene(name);
+    for Case { name, .. } in files() {
+        let (scene, needs) = scene(&name);
         for file in &stripped(&scene, &needs).files {
             std::fs::write(at(&file.name), &file.bytes).unwrap();
         }
@@ -107,6 +107,21 @@ fn compilers_take_the_files() {
             "spirv-val",
             &["--target-env", "vulkan1.1", &format!("{name}.spv")],
         );
+        for int64 in [false, true] {
+            let options = BundleOptions {
+                cpu: true,
+                int64,
+                ..BundleOptions::default()
+            };
+            let of_cpus = bundle(&scene, &needs, &[Target::Spirv], options).unwrap();
+            let bytes: Vec<u8> = of_cpus
+                .spirv
+                .iter()
+                .flat_map(|word| word.to_le_bytes())
+                .collect();
+            std::fs::write(at("cpu.spv"), bytes).unwrap();
+            run("spirv-val", &["--target-env", "vulkan1.1", "cpu.spv"]);
+        }
         std::fs::write(
             at("main.c"),
             format!("#include \"{name}.h\"\nint main(void) {{ return 0; }}\n"),
