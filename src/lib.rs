@@ -73,6 +73,8 @@ pub mod irradiance;
 pub mod judge;
 #[cfg(feature = "gpu")]
 pub mod kernels;
+#[cfg(feature = "gpu")]
+pub mod modules;
 #[cfg(feature = "images")]
 pub mod picture;
 #[cfg(feature = "images")]

@@ -18,6 +18,7 @@ pub use verify::VerifyArgs;
 
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
+use values::whole;
 
 /// Low-discrepancy points and importance-sampled directions, bit-identical on every
 /// conformant Vulkan driver and on the CPU.
@@ -65,6 +66,8 @@ pub enum Command {
     Measure(MeasureArgs),
     /// Write the GLSL headers as files.
     Headers(HeadersArgs),
+    /// Write the compiled stock modules, and the specialization constants that make points of them.
+    Modules(ModulesArgs),
     /// Make points and directions, check all of them, and light a real map.
     Demo(DemoArgs),
     /// Measure speed, verified first, as a ratio to a fill of the same bytes.
@@ -146,6 +149,37 @@ pub struct HeadersArgs {
 }
 
 #[derive(Debug, Args)]
+pub struct ModulesArgs {
+    /// The folder, which is made if it is not there.
+    #[arg(long)]
+    pub out: PathBuf,
+    /// Only the module that makes points of this sampler, as sobol:owen-hash, and its constants.
+    #[arg(long)]
+    pub sampler: Option<String>,
+    /// Their dimensions [default: 2].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true, requires = "sampler")]
+    pub dims: Option<u64>,
+    /// How many a dispatch makes, 1 to 2^32 [default: 1048576].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true, requires = "sampler")]
+    pub count: Option<u64>,
+    /// Index of the first [default: 0].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true, requires = "sampler")]
+    pub first: Option<u64>,
+    /// Their seed [default: 0].
+    #[arg(long, value_parser = whole, allow_hyphen_values = true, requires = "sampler")]
+    pub seed: Option<u64>,
+    /// Fractions of 2^32 in place of floats.
+    #[arg(long, requires = "sampler")]
+    pub fractions: bool,
+    /// For drivers of CPUs: long runs of points per invocation.
+    #[arg(long, requires = "sampler")]
+    pub cpu: bool,
+    /// The device has shaderInt64.
+    #[arg(long, requires = "sampler")]
+    pub int64: bool,
+}
+
+#[derive(Debug, Args)]
 pub struct DemoArgs {
     /// Device by index or part of its name.
     #[arg(long)]
@@ -167,6 +201,13 @@ pub struct BenchArgs {
     /// Measure 2^25 to 2^32 words of Sobol points instead: the time of a word should stay.
     #[arg(long, conflicts_with_all = ["scene", "only", "against"])]
     pub scaling: bool,
+    /// Measure files in this folder instead: one of 4 GiB beside a plain write of as many bytes, three
+    /// times, and one of 1,024 points. What is written there is removed.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["scene", "only", "against", "scaling"])]
+    pub files: Option<PathBuf>,
+    /// With --files: bytes of the large one.
+    #[arg(long, value_parser = whole, default_value = "4294967296", requires = "files", allow_hyphen_values = true)]
+    pub size: u64,
     /// Only the jobs whose names hold one of these, as halton,sobol [default: all].
     #[arg(long, value_delimiter = ',')]
     pub only: Vec<String>,

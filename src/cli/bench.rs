@@ -1,5 +1,7 @@
 //! `corput bench`.
 
+mod files;
+
 use super::args::BenchArgs;
 use super::{host, print, progress, strip};
 use comfy_table::{CellAlignment, Table, presets};
@@ -14,6 +16,9 @@ use std::sync::Arc;
 pub fn run(args: &BenchArgs) -> anyhow::Result<()> {
     if !args.scene.is_empty() {
         return scenes(args, &host::open(args.device.as_deref())?);
+    }
+    if let Some(folder) = &args.files {
+        return files::run(args, folder);
     }
     if args.scaling {
         return scaling(args, &host::open(args.device.as_deref())?);

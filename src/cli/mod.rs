@@ -24,6 +24,7 @@ mod maps;
 mod mask;
 mod measure;
 mod merge;
+mod modules;
 mod pixels;
 mod plot;
 mod points;
@@ -59,6 +60,7 @@ pub fn main() -> ExitCode {
         Command::Check(args) => check::run(args),
         Command::Measure(args) => measure::run(args),
         Command::Headers(args) => headers::run(args),
+        Command::Modules(args) => modules::run(args),
         Command::Demo(args) => demo::run(args),
         Command::Bench(args) => bench::run(args),
         Command::Accuracy(args) => accuracy::run(args),

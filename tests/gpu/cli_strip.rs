@@ -281,3 +281,31 @@ fn what_an_optimiser_makes_is_linted_again() {
     let bytes = desk.bytes("out/diffuse_quad.spv").len();
     assert_eq!(manifest["spirv_opt"]["bytes_before"], bytes);
 }
+
+/// The stock modules, and those of points with their constants; nothing of what is refused.
+#[test]
+fn stock_modules_are_written() {
+    let desk = Desk::new();
+    let said = desk.say("modules --out all/of");
+    assert!(said.contains("modules.json"), "{said}");
+    let found = names(&desk, "all/of");
+    assert!(found.len() > 50 && found.contains(&"generate.spv".to_owned()));
+    desk.say("modules --sampler sobol --dims 12 --count 100 --out few");
+    assert_eq!(
+        names(&desk, "few"),
+        ["columns.bin", "constants.json", "generate_net.spv"]
+    );
+    let said = text(&desk, "few/constants.json");
+    assert!(said.contains("\"DIMENSIONS\"") && said.contains("\"sampler\": \"sobol\""));
+    for (line, word) in [
+        ("--sampler haltn", "did you mean `halton`"),
+        ("--sampler halton --dims 0", "0"),
+        ("--sampler halton --count 0", "0"),
+        ("--sampler halton --count 4294967297", "4294967297"),
+        ("--dims 2", "--sampler"),
+    ] {
+        desk.run(&format!("modules {line} --out none"))
+            .expect(2, &[word]);
+        assert!(!desk.path("none").exists(), "{line}");
+    }
+}

@@ -7,6 +7,8 @@ mod ash_engine;
 #[allow(dead_code, reason = "its main is the example's own")]
 #[path = "../../examples/chunks.rs"]
 mod chunks;
+#[path = "embed/constants.rs"]
+mod constants;
 #[path = "embed/cpp.rs"]
 mod cpp;
 #[path = "embed/include_only.rs"]

@@ -126,3 +126,41 @@ fn what_cannot_be_measured_is_refused() {
         &["cannot be used with", "--only"],
     );
 }
+
+/// Small, and on the CPU: what is measured is told, and nothing stays in the folder.
+#[test]
+fn files_are_measured_beside_a_plain_write() {
+    let desk = Desk::new();
+    let line = "bench --files new/f --size 1048576 --device cpu";
+    let said: Value = document(&desk, &format!("{line} --json"));
+    assert_eq!(said["schema"], "corput-files/1");
+    let (large, few) = (&said["large"], &said["few"]);
+    assert_eq!(large["bytes"], 4096 + (1 << 20));
+    for (of, key, rounds) in [
+        (large, "seconds", 3),
+        (large, "plain_write_seconds", 3),
+        (few, "seconds", 9),
+    ] {
+        let times = of[key].as_array().unwrap();
+        assert_eq!(times.len(), rounds);
+        assert!(times.iter().all(|time| time.as_f64().unwrap() > 0.0));
+    }
+    let [made, plain] =
+        ["median_s", "plain_write_median_s"].map(|key| large[key].as_f64().unwrap());
+    let ratio = large["x_plain_write"].as_f64().unwrap();
+    assert!((ratio - made / plain).abs() < 1e-9 * ratio);
+    assert_eq!(large["goal_reached"], ratio <= 1.3);
+    assert_eq!(std::fs::read_dir(desk.path("new/f")).unwrap().count(), 0);
+    let told = desk.say(line);
+    assert!(told.contains("x plain write"), "{told}");
+    // What fails is told, and leaves nothing either.
+    desk.run("bench --files other --size 64 --device none-such")
+        .expect(if skips() { 3 } else { 2 }, &[]);
+    desk.run("bench --files other --size 68719476752 --device cpu")
+        .expect(2, &["4294967297"]);
+    assert!(!desk.path("other").exists());
+    assert_eq!(std::fs::read_dir(desk.path("new/f")).unwrap().count(), 0);
+    desk.run("bench --size 64").expect(2, &["--files"]);
+    desk.run("bench --files new/f --scaling")
+        .expect(2, &["--scaling"]);
+}
