@@ -9,6 +9,14 @@ fn document(desk: &Desk, line: &str) -> Value {
     serde_json::from_str(&desk.say(line)).unwrap()
 }
 
+/// Words that choose the faster of the drivers of tests, where it is here.
+fn fast(desk: &Desk) -> &'static str {
+    match desk.say("devices").contains("llvmpipe") {
+        true => "--device llvmpipe",
+        false => "",
+    }
+}
+
 #[test]
 fn documents_are_compared_by_their_hashes() {
     if skips() {
@@ -156,7 +164,9 @@ fn extreme_cases_are_one_document() {
         return;
     }
     let desk = Desk::new();
-    let found = document(&desk, "check --extreme --json");
+    // Each device has its own test of all of them.
+    let fast = fast(&desk);
+    let found = document(&desk, &format!("check --extreme --json {fast}"));
     assert_eq!(found["schema"], corput::extreme::SCHEMA);
     let rows = found["rows"].as_array().unwrap();
     let counts = &found["counts"];
@@ -169,7 +179,8 @@ fn extreme_cases_are_one_document() {
     let refused = rows.iter().filter(|row| row["verdict"] == "refused");
     assert_eq!(counts["refused"], refused.count());
     // A part, none, and all as JUnit.
-    let part = document(&desk, "check --extreme --seconds 0.001 --json");
+    let line = format!("check --extreme --seconds 0.001 --json {fast}");
+    let part = document(&desk, &line);
     let (some, left) = (&part["rows"], &part["left_out"]);
     let [some, left] = [some, left].map(|list| list.as_array().unwrap().len());
     assert!(some > 0 && left > 0);
@@ -204,10 +215,7 @@ fn an_exhaustive_check_is_bounded_and_told() {
     desk.run(line).expect(2, &["korobov,"]);
     desk.run("check --exhaustive --only multiply --seconds 0")
         .expect(2, &["no row began"]);
-    let fast = match desk.say("devices").contains("llvmpipe") {
-        true => "--device llvmpipe",
-        false => "",
-    };
+    let fast = fast(&desk);
     let line = "check --exhaustive --only multiply --seconds 0.001 --json --junit j.xml";
     let run = desk.run(&format!("{line} {fast}"));
     run.expect(0, &[]);
