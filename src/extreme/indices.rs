@@ -75,6 +75,7 @@ pub(super) fn refusals() -> Vec<Case> {
         Ok(_) => f64::INFINITY,
         Err(_) => 0.0,
     };
+    let share = |k: u32, n: u32| f64::from(k as f32 / n as f32);
     let none = Options::new(Sequence::Hammersley, 0);
     let beyond = Options {
         first: (1 << 32) - 1,
@@ -86,7 +87,7 @@ pub(super) fn refusals() -> Vec<Case> {
         Case::host(
             2,
             "N = 0: k / N, which is refused",
-            [f64::from(0.0f32 / 0.0f32), refused(&none)],
+            [share(0, 0), refused(&none)],
             Source::Integers,
             0.0,
         ),
