@@ -182,7 +182,7 @@ fn other_constants_make_other_points() {
         let (sampler, request) = request("halton", 2, (1 << 16) + 3);
         let files = of_points(sampler, &request, Target::default()).unwrap();
         let want = reference(&request);
-        for name in ["OUTPUT", "COLUMN1_BASE", "COLUMN1_BASE_MAGIC"] {
+        for name in ["OUTPUT", "COLUMN1_BASE", "COLUMN1_GROUP_POWER"] {
             let found = std::cell::Cell::new(false);
             let other = made(device, &files, &|constant| {
                 let (id, value) = as_they_are(constant);
