@@ -357,8 +357,13 @@ fn only_whole_rows_are_published() {
     let mut beyond = row("beyond", "failed", "differs", 0);
     beyond["worst"] = json!(2.0);
     beyond["bound"] = json!(1.0);
+    let mut unjudged = row("unjudged", "failed", "differs", 0);
+    unjudged["worst"] = json!(0.0);
+    unjudged["bound"] = json!(1.0);
+    unjudged["judged"] = json!(0);
     let document = json!({ "rows": [
         beyond,
+        unjudged,
         row("new", "passed", "not published", 0),
         row("changed", "failed", "differs", 0),
         row("wrong", "failed", "differs", 1),
@@ -385,6 +390,13 @@ fn only_whole_rows_are_published() {
         assert_eq!(found.as_deref(), entry["sha256"].as_str(), "{name}");
         assert_eq!(exhaustive::published(name, "others"), None);
     }
+    let all = |row: &Row| exhaustive::published(&row.name, &row.inputs).is_some();
+    let unpublished: Vec<&str> = known
+        .iter()
+        .filter(|row| !all(row))
+        .map(|row| row.name.as_str())
+        .collect();
+    assert!(unpublished.is_empty(), "{unpublished:?}");
 }
 
 const MANIFEST: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/exhaustive.json");
