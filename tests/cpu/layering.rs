@@ -34,6 +34,7 @@ const LEVELS: [&[&str]; 10] = [
         "converge",
         "exhaustive",
         "extreme",
+        "modules",
         "vectors",
     ],
     &["card"],
