@@ -184,20 +184,22 @@ pub fn run(
     device.keep_pipelines();
     let (rows, left_out) = tasks::run(&tasks, deadline, progress)?;
     if rows.is_empty() {
-        return Err(Error::Arguments {
-            asked: format!(
-                "--seconds {}",
-                options.time.unwrap_or_default().as_secs_f64()
-            ),
-            limit: "no row began in that time".into(),
-            remedy: "give it more".into(),
-        });
+        return Err(no_time(options.time));
     }
     Ok(Outcome {
         probe,
         rows,
         left_out,
     })
+}
+
+/// What is said where there was no time for any row.
+pub(crate) fn no_time(time: Option<Duration>) -> Error {
+    Error::Arguments {
+        asked: format!("--seconds {}", time.unwrap_or_default().as_secs_f64()),
+        limit: "no row began in that time".into(),
+        remedy: "give it more".into(),
+    }
 }
 
 /// A task of one row.

@@ -38,7 +38,7 @@ use crate::catalog::{
     Engine, FUNCTIONS, Function, Kind, Map, Options as Points, Request, Sequence,
 };
 use crate::catalog::{Profile, Tier, maps};
-use crate::check::Verdict;
+use crate::check::{Verdict, no_time};
 use crate::kernels::{Evaluator, Generator, Reducer, probe};
 use crate::vulkan::Device;
 use crate::{Error, Result};
@@ -187,14 +187,7 @@ pub fn run(
         rows.push(row);
     }
     if rows.is_empty() {
-        return Err(Error::Arguments {
-            asked: format!(
-                "exhaustive rows in {} s",
-                time.unwrap_or_default().as_secs_f64()
-            ),
-            limit: "no row began in that time".into(),
-            remedy: "give it more".into(),
-        });
+        return Err(no_time(time));
     }
     Ok((rows, left_out))
 }

@@ -3,7 +3,7 @@
 use super::words::{estimate_words, float_sum_words};
 use super::{Case, Subject};
 use crate::catalog::{FUNCTIONS, Function, Mapping, Problem, Profile, Request, Tier};
-use crate::check::{ELEMENTARY, Further, function_words};
+use crate::check::{ELEMENTARY, Further, function_words, no_time};
 use crate::interface::task;
 use crate::kernels::{
     Elementary, Estimator, Evaluator, Mapper, Reducer, Split, largest_group, probe,
@@ -175,14 +175,7 @@ pub fn run_within(device: &Arc<Device>, time: Option<Duration>) -> Result<(Vec<R
         }
     }
     if rows.is_empty() {
-        return Err(Error::Arguments {
-            asked: format!(
-                "extreme inputs in {} s",
-                time.unwrap_or_default().as_secs_f64()
-            ),
-            limit: "no kernel began in that time".into(),
-            remedy: "give it more".into(),
-        });
+        return Err(no_time(time));
     }
     Ok((rows, left_out))
 }

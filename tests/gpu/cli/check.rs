@@ -186,7 +186,7 @@ fn extreme_cases_are_one_document() {
     assert!(some > 0 && left > 0);
     assert_eq!(some + left, rows.len());
     desk.run("check --extreme --seconds 0")
-        .expect(2, &["no kernel began"]);
+        .expect(2, &["no row began"]);
     desk.run("check --extreme --device cpu --junit j.xml")
         .expect(0, &[]);
     let xml = String::from_utf8(desk.bytes("j.xml")).unwrap();
