@@ -2,12 +2,14 @@
 
 mod blocks;
 mod column;
+mod directions;
 mod estimate;
 mod integrand;
 mod integrand_environment;
 mod integrand_scene;
 mod irradiance;
 mod maps;
+mod output;
 mod pairs;
 mod pixels;
 mod points;
@@ -34,7 +36,9 @@ pub use stored::Stored;
 use crate::Result;
 use crate::catalog::{Engine, Output, Request, whole_points};
 use column::Prepared;
-use points::{Points, STRIDE};
+use directions::Directions;
+use output::Rows;
+use points::{Batch, Points, STRIDE};
 use std::num::NonZero;
 
 /// Makes the points of a request on the CPU.
@@ -128,6 +132,9 @@ impl Reference {
             return self.points.fill(n, rows);
         };
         let width = self.width();
+        if let Some(directions) = Directions::of(mapping, self.request.profile, width) {
+            return self.fill_directions(directions, n, rows);
+        }
         self.points.each(n, rows.len() / width, |batch| {
             let rows = rows[batch.start * width..].chunks_exact_mut(width);
             for (i, row) in rows.take(batch.rows).enumerate() {
@@ -139,6 +146,20 @@ impl Reference {
                 let sample = map_sample(mapping, self.request.profile, u);
                 row.copy_from_slice(&sample[..width]);
             }
+        });
+    }
+
+    fn fill_directions(&self, directions: Directions, n: u64, words: &mut [u32]) {
+        let (width, level) = (self.width(), self.points.level());
+        let count = words.len() / width;
+        let mut rows = Rows::new(words, width, level);
+        let mut samples = [0; 4 * STRIDE];
+        self.points.each(n, count, |batch| {
+            directions.fill(level, batch, &mut samples);
+            rows.put(&Batch {
+                words: &samples,
+                ..*batch
+            });
         });
     }
 

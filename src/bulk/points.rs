@@ -2,7 +2,8 @@
 
 use super::blocks::{Blocks, Finish, Net, Philox};
 use super::column::Prepared;
-use super::rows::{TOGETHER, interleave};
+use super::output::{CLEARED, Rows};
+use super::rows::TOGETHER;
 use crate::catalog::Output;
 use crate::interface::Column;
 use fearless_simd::{Level, dispatch};
@@ -14,10 +15,6 @@ const ROWS: usize = 1 << 9;
 /// Words from a column of a batch to the next: 16 more than there are rows, which keep columns
 /// out of each other's places in the cache.
 pub const STRIDE: usize = ROWS + 16;
-
-/// Words that are cleared before they are written, 16 KiB: the C library clears memory without
-/// reading it, which loops over memory cannot, and so long a stretch stays in the cache.
-const CLEARED: usize = 1 << 12;
 
 /// Columns of a batch that is short.
 const NARROW: usize = 8;
@@ -70,6 +67,11 @@ impl Points {
         }
     }
 
+    /// The vectors that loops are made by.
+    pub fn level(&self) -> Level {
+        self.level
+    }
+
     /// The same by the vectors of another level, which the CPU has.
     #[cfg(test)]
     fn by(mut self, level: Level) -> Self {
@@ -91,17 +93,9 @@ impl Points {
     }
 
     fn fill_by_columns(&self, n: u64, words: &mut [u32]) {
-        let mut cleared = 0;
-        self.each(n, words.len() / self.width.max(1), |batch| {
-            let start = batch.start * self.width;
-            let end = start + batch.rows * self.width;
-            if end > cleared {
-                let next = (cleared + CLEARED).max(end).min(words.len());
-                words[cleared..next].fill(0);
-                cleared = next;
-            }
-            dispatch!(self.level, _ => interleave(batch, self.width, &mut words[start..end]));
-        });
+        let count = words.len() / self.width.max(1);
+        let mut rows = Rows::new(words, self.width, self.level);
+        self.each(n, count, |batch| rows.put(batch));
     }
 
     /// Hands the columns of consecutive points from index n on to `take`.
@@ -172,22 +166,23 @@ impl Source {
     }
 }
 
+/// The levels of this CPU.
+#[cfg(test)]
+pub fn levels() -> Vec<Level> {
+    let best = Level::new();
+    let mut levels = vec![Level::baseline(), best];
+    #[cfg(target_arch = "x86_64")]
+    {
+        levels.extend(best.as_sse4_2().map(Level::Sse4_2));
+        levels.extend(best.as_avx2().map(Level::Avx2));
+    }
+    levels
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::interface::{DigitScramble, Generator, NetScramble};
-
-    /// The levels of this CPU.
-    fn levels() -> Vec<Level> {
-        let best = Level::new();
-        let mut levels = vec![Level::baseline(), best];
-        #[cfg(target_arch = "x86_64")]
-        {
-            levels.extend(best.as_sse4_2().map(Level::Sse4_2));
-            levels.extend(best.as_avx2().map(Level::Avx2));
-        }
-        levels
-    }
 
     #[test]
     fn words_do_not_depend_on_the_vectors() {

@@ -4,7 +4,7 @@
 //! Mirror: `shaders/corput/bits.glsl`.
 
 /// Position of the highest set bit, 0 to 31; `0xffff_ffff` for `x = 0`.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn find_msb(x: u32) -> u32 {
     31u32.wrapping_sub(x.leading_zeros())

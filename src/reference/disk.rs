@@ -16,7 +16,7 @@ use crate::reference::fixed::{
 use glam::{UVec2, Vec2, uvec2, vec2};
 
 /// |2u - 1| as a fraction of 2^31: 0 to 2^31.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn disk_magnitude(u: u32) -> u32 {
     if u < 0x8000_0000 {
@@ -59,7 +59,7 @@ pub fn disk_radius_squared(p: Vec2) -> UVec2 {
 }
 
 /// Point of the disk, concentric map.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn concentric_disk(u: UVec2) -> Vec2 {
     let x = disk_magnitude(u.x);
@@ -117,7 +117,7 @@ pub fn concentric_disk_invert(p: Vec2) -> UVec2 {
 }
 
 /// Point of the disk, polar map: r = sqrt(u.x), phi = 2 pi u.y.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn polar_disk(u: UVec2) -> Vec2 {
     let radius = sqrt_fraction(u.x);

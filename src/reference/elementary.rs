@@ -22,11 +22,16 @@ pub struct SinCos {
     pub cosine_negative: bool,
 }
 
+// Seeds become integers by their bits: `as` looks at each number alone, whether it is none, which
+// keeps the compiler from making vectors of the loops of `bulk`.
+
 /// About `sqrt(m) * 2^9`, for `m >= 2^30`. Vulkan allows this to be off by 20.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn seed_sqrt(m: u32) -> u32 {
-    ((m as f32).sqrt() * 512.0) as u32
+    // From 2^24 to 2^25, where floats are whole.
+    let bits = ((m as f32).sqrt() * 512.0).to_bits();
+    ((bits & 0x7f_ffff) | 0x80_0000) << ((bits >> 23) - 150)
 }
 
 /// About `a / b * 2^24`, for a, b in [2^23, 2^25). Vulkan allows this to be off by 6.
@@ -37,23 +42,30 @@ pub fn seed_divide(a: u32, b: u32) -> u32 {
 }
 
 /// `floor(b * 2^15 / a)` or one less, for `b < 2^32`, `1 <= a`, `b <= a`.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn seed_quotient(b: u32, a: u32) -> u32 {
     // 32767.875 = 2^15 (1 - 2^-18): two conversions, a division and a product are
     // together off by less than 2^-20, so the result is never too large.
-    (b as f32 / a as f32 * 32_767.875) as u32
+    whole(b as f32 / a as f32 * 32_767.875)
+}
+
+/// `floor(x)`, for x from 0 to 2^23.
+#[inline(always)]
+fn whole(x: f32) -> u32 {
+    (x.floor() + 8_388_608.0).to_bits() - 0x4b00_0000
 }
 
 /// About `floor(r / d)`, for `|r / d| < 32`, `d >= 2^23`.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn seed_step(r: i32, d: u32) -> i32 {
-    (r as f32 / d as f32).floor() as i32
+    // 1.5 * 2^23, at which negative numbers are whole as well.
+    ((r as f32 / d as f32).floor() + 12_582_912.0).to_bits() as i32 - 0x4b40_0000
 }
 
 /// `floor(sqrt(m * 2^18))`, for `m >= 2^30`: 25 bits.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn sqrt_floor(m: u32) -> u32 {
     let mut s = seed_sqrt(m);
@@ -67,7 +79,7 @@ pub fn sqrt_floor(m: u32) -> u32 {
 }
 
 /// `sqrt(u * 2^-32)`, rounded down to 25 significant bits.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn sqrt_fraction(u: u32) -> Scaled {
     if u == 0 {
@@ -82,7 +94,7 @@ pub fn sqrt_fraction(u: u32) -> Scaled {
 }
 
 /// `sqrt(v * 2^-64)`, rounded down to 25 significant bits, of v cut to 32 bits.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn sqrt_fraction64(v: UVec2) -> Scaled {
     if v.y == 0 {
@@ -223,7 +235,7 @@ pub fn multiply(x: f32, y: f32) -> f32 {
 }
 
 /// `floor(b * 2^30 / a)`, for `0 <= b <= a <= 2^31`, `a > 0`.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn ratio(b: u32, a: u32) -> u32 {
     let mut high = seed_quotient(b, a);
@@ -242,7 +254,7 @@ pub fn ratio(b: u32, a: u32) -> u32 {
 }
 
 /// rho^2 as a fraction of 2^32 (1 becomes 1 - 2^-32), for rho as a fraction of 2^31.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn square31(rho: u32) -> u32 {
     let z = mulhi(rho, rho);
@@ -250,7 +262,7 @@ pub fn square31(rho: u32) -> u32 {
 }
 
 /// `sin(pi/4 rho) / rho * 2^32`, for w = rho^2 as a fraction of 2^32: at least 2^31.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn sin_polynomial(w: u32) -> u32 {
     let mut p = 1346 - mulhi(w, 7);
@@ -262,7 +274,7 @@ pub fn sin_polynomial(w: u32) -> u32 {
 
 /// `cos(pi/4 rho) * 2^32`, for w = rho^2 as a fraction of 2^32: at least 2^31, and
 /// 2^32 - 1 in place of 2^32.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn cos_polynomial(w: u32) -> u32 {
     let mut p = 15_422 - mulhi(w, 104);
@@ -274,7 +286,7 @@ pub fn cos_polynomial(w: u32) -> u32 {
 }
 
 /// sin and cos of 2 pi u, u a fraction of 2^32.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn sincos_scaled(u: u32) -> SinCos {
     // Nearest quarter turn, and the signed rest, in integers: no reduction error.

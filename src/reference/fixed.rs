@@ -18,21 +18,21 @@ pub struct Scaled {
 }
 
 /// `floor(a * b / 2^32)`.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn mulhi(a: u32, b: u32) -> u32 {
     ((u64::from(a) * u64::from(b)) >> 32) as u32
 }
 
 /// `a * b`, all 64 bits.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn mul64(a: u32, b: u32) -> UVec2 {
     uvec2(a.wrapping_mul(b), mulhi(a, b))
 }
 
 /// x: `a + b` modulo 2^32; y: the carry, 0 or 1.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn addc(a: u32, b: u32) -> UVec2 {
     let (sum, carry) = a.overflowing_add(b);
@@ -40,7 +40,7 @@ pub fn addc(a: u32, b: u32) -> UVec2 {
 }
 
 /// x: `a - b` modulo 2^32; y: the borrow, 0 or 1.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn subb(a: u32, b: u32) -> UVec2 {
     let (difference, borrow) = a.overflowing_sub(b);
@@ -48,7 +48,7 @@ pub fn subb(a: u32, b: u32) -> UVec2 {
 }
 
 /// `a + b` modulo 2^64.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn add64(a: UVec2, b: UVec2) -> UVec2 {
     let low = addc(a.x, b.x);
@@ -56,7 +56,7 @@ pub fn add64(a: UVec2, b: UVec2) -> UVec2 {
 }
 
 /// `a - b` modulo 2^64.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn sub64(a: UVec2, b: UVec2) -> UVec2 {
     let low = subb(a.x, b.x);
@@ -64,7 +64,7 @@ pub fn sub64(a: UVec2, b: UVec2) -> UVec2 {
 }
 
 /// `v * 2^s` modulo 2^64, for s from 0 to 63.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn shl64(v: UVec2, s: u32) -> UVec2 {
     let whole = 0u32.wrapping_sub(s >> 5);
@@ -75,7 +75,7 @@ pub fn shl64(v: UVec2, s: u32) -> UVec2 {
 }
 
 /// `floor(v / 2^s)`, for s from 0 to 63.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn shr64(v: UVec2, s: u32) -> UVec2 {
     let whole = 0u32.wrapping_sub(s >> 5);
@@ -87,7 +87,7 @@ pub fn shr64(v: UVec2, s: u32) -> UVec2 {
 
 /// The bits of the float nearest to `v.m * 2^v.e`, halves away from zero.
 /// The result must be 0 or a normal float: `v.e` from -157 to 96.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn pack_bits(v: Scaled) -> u32 {
     // m >> 8 carries the implicit bit, which raises the exponent field by one; so
@@ -99,7 +99,7 @@ pub fn pack_bits(v: Scaled) -> u32 {
 }
 
 /// m * 2^e in [`Scaled`] form, for any m.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn scaled(m: u32, e: i32) -> Scaled {
     let shift = if m == 0 { 0 } else { 31 - find_msb(m) };
@@ -110,7 +110,7 @@ pub fn scaled(m: u32, e: i32) -> Scaled {
 }
 
 /// `a * b`, truncated to at least 31 significant bits.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn scaled_mul(a: Scaled, b: Scaled) -> Scaled {
     let high = mulhi(a.m, b.m);
@@ -122,7 +122,7 @@ pub fn scaled_mul(a: Scaled, b: Scaled) -> Scaled {
 }
 
 /// The float nearest to `(if negative { -1 } else { 1 }) * v`; never -0.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn pack(v: Scaled, negative: bool) -> f32 {
     let bits = pack_bits(v);

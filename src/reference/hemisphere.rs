@@ -17,7 +17,7 @@ use glam::{UVec2, Vec3, uvec2, vec3};
 
 /// z/pi for z > 0, else 0: the pdf of both cosine-weighted forms. For z below 2^-124 it
 /// is 0 as well; infinities and NaN are no directions and have pdf 0.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn cosine_over_pi(z: f32) -> f32 {
     let bits = z.to_bits();
@@ -38,7 +38,7 @@ pub fn cosine_over_pi(z: f32) -> f32 {
 }
 
 /// Uniform direction: z = u.x, phi = 2 pi u.y.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn uniform_hemisphere(u: UVec2) -> Vec3 {
     let z = scaled(u.x, -32);
@@ -58,7 +58,7 @@ pub fn uniform_hemisphere(u: UVec2) -> Vec3 {
 }
 
 /// 1/(2 pi) for z >= 0, else 0.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn uniform_hemisphere_pdf(direction: Vec3) -> f32 {
     // By the bits: a device may compare denormals as zeros.
@@ -86,7 +86,7 @@ pub fn uniform_hemisphere_invert(direction: Vec3) -> UVec2 {
 }
 
 /// Cosine-weighted direction over the concentric disk.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn cosine_hemisphere(u: UVec2) -> Vec3 {
     let radius = disk_magnitude(u.x).max(disk_magnitude(u.y));
@@ -103,7 +103,7 @@ pub fn cosine_hemisphere(u: UVec2) -> Vec3 {
 }
 
 /// z/pi.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn cosine_hemisphere_pdf(direction: Vec3) -> f32 {
     cosine_over_pi(direction.z)
@@ -117,9 +117,12 @@ pub fn cosine_hemisphere_invert(direction: Vec3) -> UVec2 {
 }
 
 /// Cosine-weighted direction over the polar disk: z = sqrt(1 - u.x), phi = 2 pi u.y.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn cosine_hemisphere_polar(u: UVec2) -> Vec3 {
+    // In this order: where z is first, the compiler copies the root of u.x into both of its cases,
+    // and makes no vectors of loops any more.
+    let p = polar_disk(u);
     let mut z = Scaled {
         m: 0x8000_0000,
         e: -31,
@@ -127,11 +130,11 @@ pub fn cosine_hemisphere_polar(u: UVec2) -> Vec3 {
     if u.x != 0 {
         z = sqrt_fraction(0u32.wrapping_sub(u.x));
     }
-    polar_disk(u).extend(pack(z, false))
+    p.extend(pack(z, false))
 }
 
 /// z/pi.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn cosine_hemisphere_polar_pdf(direction: Vec3) -> f32 {
     cosine_over_pi(direction.z)
