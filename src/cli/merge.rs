@@ -54,7 +54,9 @@ fn refuse(store: Option<&PathBuf>, shards: Option<u64>) -> Result<()> {
 
 fn store(path: &Path, args: &MergeArgs) -> anyhow::Result<()> {
     let store = Store::open(path)?;
-    let shards = args.shards.unwrap_or(store.chunks().max(1));
+    // Of a store that does not say how it was cut, each chunk is a shard.
+    let cut = store.shards().unwrap_or(store.chunks().max(1));
+    let shards = args.shards.unwrap_or(cut);
     Shard::new(0, shards)?;
     let bar = progress::chunks(store.chunks());
     let survey = store.survey(&mut |done| {
@@ -68,7 +70,7 @@ fn store(path: &Path, args: &MergeArgs) -> anyhow::Result<()> {
         .map(|(chunks, fault)| Lack::new(&store, chunks, fault, shards))
         .collect::<Result<_>>()?;
     if args.json {
-        let document = document(&store, path, &survey, &lacks);
+        let document = document(&store, path, &survey, shards, &lacks);
         print(&serde_json::to_string_pretty(&document)?);
     } else {
         print(&text(&store, path, &survey, &lacks));
@@ -148,7 +150,7 @@ fn text(store: &Store, path: &Path, survey: &Survey, lacks: &[Lack]) -> String {
     lines.join("\n")
 }
 
-fn document(store: &Store, path: &Path, survey: &Survey, lacks: &[Lack]) -> Value {
+fn document(store: &Store, path: &Path, survey: &Survey, shards: u64, lacks: &[Lack]) -> Value {
     let layout = store.layout();
     let complete = lacks.is_empty();
     json!({
@@ -157,6 +159,7 @@ fn document(store: &Store, path: &Path, survey: &Survey, lacks: &[Lack]) -> Valu
         "shape": [layout.rows, layout.columns],
         "type": layout.element.descr(),
         "chunks": store.chunks(),
+        "shards": shards,
         "complete": complete,
         "sha256": complete.then_some(&survey.sha256),
         "faults": lacks.iter().map(Lack::document).collect::<Vec<_>>(),

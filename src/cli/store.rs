@@ -8,6 +8,7 @@ use corput::report::zarr::Store;
 use corput::vulkan::Device;
 use corput::{Error, Result};
 use serde_json::{Value, json};
+use std::num::NonZero;
 use std::ops::Range;
 use std::panic::resume_unwind;
 use std::path::Path;
@@ -66,7 +67,11 @@ pub fn run(args: &GenerateArgs, request: &Request) -> anyhow::Result<()> {
     let origin = origin(args, request, maker.device.as_ref())?;
     interrupt::clean_up();
     let layout = layout(request, element(args)?);
-    let store = Store::create(&args.out, layout, &origin)?;
+    let shards = args.shard.and_then(|shard| NonZero::new(shard.parts().1));
+    let store = match shards {
+        Some(shards) => Store::create_in_shards(&args.out, layout, &origin, shards)?,
+        None => Store::create(&args.out, layout, &origin)?,
+    };
     let shard = args.shard.unwrap_or(Shard::WHOLE);
     let chunks = shard.of(store.chunks());
     if chunks.is_empty() {

@@ -16,8 +16,8 @@ pub struct MergeArgs {
     /// the report of its study; or documents that `corput estimate --json` printed, to add.
     #[arg(required = true)]
     pub paths: Vec<PathBuf>,
-    /// Name the shards of so many [default: of a store as many as chunks, so that
-    /// each makes one; of a study as many as there were].
+    /// Name the shards of so many [default: of a store as many as it was begun with, or else as many as
+    /// chunks, so that each makes one; of a study as many as there were].
     #[arg(long, value_name = "N", value_parser = whole, allow_hyphen_values = true)]
     pub shards: Option<u64>,
     /// Print one JSON document.

@@ -1,5 +1,5 @@
 //! Small files and chunks of a store, which come to their names whole, in a folder that all
-//! writers share: each writes the same bytes.
+//! writers share: each writes the same bytes, or those that come first stay.
 
 use crate::error::Result;
 use crate::report::aside::{Aside, ENDING};

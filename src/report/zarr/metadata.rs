@@ -18,6 +18,10 @@ const CHUNK_BYTES: u64 = 1 << 24;
 /// Bytes of a document at most: a store's own have a few thousand.
 const DOCUMENT_BYTES: u64 = 1 << 20;
 
+/// The attribute beside `corput` that notes into how many shards the work was cut. It is none of
+/// those that say what the array is, so that neither stores nor chunks are compared by it.
+const SHARDS: &str = "corput_shards";
+
 /// Every type, by its name in Zarr.
 const TYPES: [(Element, &str); 4] = [
     (Element::F32, "float32"),
@@ -54,6 +58,21 @@ pub(super) fn document(layout: &Layout, origin: &Value) -> Value {
         "codecs": [{ "name": "bytes", "configuration": { "endian": "little" } }],
         "attributes": { "corput": origin },
     })
+}
+
+/// A document with a number of shards noted, if there is one.
+pub(super) fn noted(mut document: Value, shards: Option<u64>) -> Value {
+    if let Some(shards) = shards {
+        document["attributes"][SHARDS] = json!(shards);
+    }
+    document
+}
+
+/// The number of shards that a document notes. What somebody else has put there, and what can be
+/// no number of shards, is none: it says nothing of the array.
+pub(super) fn shards(document: &Value) -> Option<u64> {
+    let noted = document["attributes"][SHARDS].as_u64();
+    noted.filter(|shards| *shards > 0)
 }
 
 /// Layout and origin of a document, if this module writes that for them.

@@ -10,7 +10,8 @@
 //! Any reader of Zarr v3 takes such a folder; those files under `corput` it does not look at.
 //! The chunk's shape follows from the number of columns and their type alone. Every file is written aside and
 //! renamed, so that nobody ever reads half of one, and each has the same bytes whoever writes
-//! it: work that was done twice, or was killed, does no harm.
+//! it: work that was done twice, or was killed, does no harm. Into how many shards the work was cut
+//! when it was begun `zarr.json` notes too, which no other file depends on.
 //!
 //! ```
 //! use corput::report::zarr::Store;
@@ -28,6 +29,7 @@
 //! ```
 
 mod aside;
+mod begin;
 mod compare;
 mod fault;
 mod metadata;
@@ -38,7 +40,6 @@ pub use fault::Fault;
 pub use survey::Survey;
 
 use std::borrow::Cow;
-use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -58,54 +59,10 @@ pub struct Store {
     /// SHA-256 of what describes the array.
     array: String,
     origin: Value,
+    shards: Option<u64>,
 }
 
 impl Store {
-    /// Makes the folder and its `zarr.json`, or finds them there as they are to be. `origin` is
-    /// whatever makes the array; it becomes the attribute `corput`.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Output`] for a file of that name, or a folder that holds something else;
-    /// [`Error::Document`] for a store of another array, which is named; [`Error::Arguments`]
-    /// for an impossible layout; [`Error::Io`] if it cannot be written.
-    pub fn create(path: &Path, layout: Layout, origin: &Value) -> Result<Self> {
-        layout.words()?;
-        let store = Self::new(path, layout, origin.clone());
-        let wanted = metadata::document(&layout, origin);
-        let name = path.join("zarr.json");
-        let found = match metadata::read(&name)? {
-            Some(found) => Some(found),
-            None => {
-                refuse_others(path)?;
-                create_folder(&store.records(), "--out")?;
-                aside::save_first(&store.records(), &name, &metadata::text(&wanted))?;
-                // Another process may have been first.
-                metadata::read(&name)?
-            }
-        };
-        let found = found.unwrap_or_default();
-        match metadata::difference(&wanted, &found) {
-            None => {
-                create_folder(&store.records(), "--out")?;
-                Ok(store)
-            }
-            Some(difference) => Err(Error::Document {
-                path: name,
-                problem: format!("the store is of another array: {difference}"),
-                remedy: match found["attributes"]["corput"]["version"] == origin["version"] {
-                    true => {
-                        "give the arguments that it was begun with, or another folder with --out"
-                    }
-                    false => {
-                        "fill it with the version of corput that it was begun with, or begin another folder \
-                         with --out"
-                    }
-                },
-            }),
-        }
-    }
-
     /// Opens one that is there.
     ///
     /// # Errors
@@ -122,7 +79,10 @@ impl Store {
         let found =
             metadata::read(&name)?.ok_or_else(|| refused("there is no such file".to_owned()))?;
         let (layout, origin) = metadata::parse(&found).map_err(refused)?;
-        Ok(Self::new(path, layout, origin))
+        Ok(Self {
+            shards: metadata::shards(&found),
+            ..Self::new(path, layout, origin)
+        })
     }
 
     fn new(path: &Path, layout: Layout, origin: Value) -> Self {
@@ -133,6 +93,7 @@ impl Store {
             chunk_rows: metadata::chunk_rows(&layout),
             array: hexadecimal(&Sha256::digest(description)),
             origin,
+            shards: None,
         }
     }
 
@@ -146,6 +107,13 @@ impl Store {
     #[must_use]
     pub fn origin(&self) -> &Value {
         &self.origin
+    }
+
+    /// Into how many shards the work was cut when the store was begun, at least 1; `None` where that
+    /// was not noted.
+    #[must_use]
+    pub fn shards(&self) -> Option<u64> {
+        self.shards
     }
 
     /// The folder.
@@ -240,45 +208,5 @@ impl Store {
 
     fn chunk(&self, chunk: u64) -> PathBuf {
         self.path.join("c").join(chunk.to_string()).join("0")
-    }
-}
-
-/// Refuses a path at which a store would lie among other things.
-fn refuse_others(path: &Path) -> Result<()> {
-    let refused = |problem: String, remedy: &str| Error::Output {
-        path: path.to_owned(),
-        problem,
-        remedy: remedy.to_owned(),
-    };
-    match fs::metadata(path) {
-        Ok(found) if !found.is_dir() => {
-            return Err(refused(
-                "it is there, and no folder, which a Zarr store is".to_owned(),
-                "give another name with --out",
-            ));
-        }
-        Ok(_) => {}
-        Err(_) => return Ok(()),
-    }
-    let entries = fs::read_dir(path).map_err(|error| {
-        refused(
-            format!("it cannot be read ({error})"),
-            "give another folder with --out",
-        )
-    })?;
-    let other = entries
-        .flatten()
-        .map(|entry| entry.file_name())
-        // Another process may have begun the same store a moment ago.
-        .find(|name| name != "corput" && name != "zarr.json");
-    match other {
-        None => Ok(()),
-        Some(name) => Err(refused(
-            format!(
-                "it holds `{}`, and has no zarr.json",
-                name.to_string_lossy()
-            ),
-            "give a folder that is not there yet, or is empty",
-        )),
     }
 }

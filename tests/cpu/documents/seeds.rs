@@ -9,6 +9,7 @@ use corput::report::{
 use serde_json::json;
 use sha2::{Digest, Sha256};
 use std::fs;
+use std::num::NonZero;
 
 type Seed = (&'static str, &'static str, Vec<u8>);
 
@@ -84,7 +85,7 @@ fn journals() -> Vec<Seed> {
 /// Descriptions of arrays.
 fn stores() -> Vec<Seed> {
     let folder = tempfile::tempdir().expect("a folder");
-    let describe = |name: &str, columns, element| {
+    let describe = |name: &str, columns, element, shards: Option<u64>| {
         let path = folder.path().join(name);
         let layout = Layout {
             rows: 5_000_000,
@@ -93,12 +94,28 @@ fn stores() -> Vec<Seed> {
         };
         let arguments = json!({ "sequence": "sobol", "count": 5_000_000 });
         let origin = json!({ "version": "0.1.0", "arguments": arguments });
-        Store::create(&path, layout, &origin).expect("a store");
+        let store = match shards {
+            Some(shards) => {
+                let shards = NonZero::new(shards).expect("some");
+                Store::create_in_shards(&path, layout, &origin, shards)
+            }
+            None => Store::create(&path, layout, &origin),
+        };
+        assert_eq!(store.expect("a store").shards(), shards);
         fs::read(path.join("zarr.json")).expect("a document")
     };
     vec![
-        ("zarr", "f32.json", describe("a", 2, Element::F32)),
-        ("zarr", "u16.json", describe("b", 20_000, Element::U16)),
+        ("zarr", "f32.json", describe("a", 2, Element::F32, None)),
+        (
+            "zarr",
+            "u16.json",
+            describe("b", 20_000, Element::U16, None),
+        ),
+        (
+            "zarr",
+            "shards.json",
+            describe("c", 2, Element::F32, Some(8)),
+        ),
     ]
 }
 

@@ -1,6 +1,7 @@
 //! What `corput merge` finds, and what makes it whole again.
 
 use super::{Desk, Run, Worker};
+use serde_json::{Value, json};
 use std::fs::{self, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 
@@ -153,6 +154,51 @@ fn runs_of_chunks_are_named_together() {
     run.tells(1, &["1 of 1024 chunks whole", "1023 of 1024"]);
     let run = desk.run("merge s.zarr");
     run.tells(1, &["--shard 0/1024 to 1022/1024"]);
+}
+
+#[test]
+fn shards_are_named_of_the_number_that_the_store_was_begun_with() {
+    let desk = Desk::new();
+    let merge = |options: &str, chunks: &str, shards: &str| {
+        let words = format!("{chunks} missing: --shard {shards}");
+        desk.run(&format!("merge s.zarr {options}"))
+            .tells(1, &[&words]);
+    };
+    desk.say(&format!("{LINE} --shard 0/2"));
+    let path = desk.path("s.zarr/zarr.json");
+    let metadata = fs::read(&path).expect("metadata");
+    merge("", "chunks 1 to 2 are", "1/2 makes it again");
+    // Not of as many as chunks, unless those are asked for.
+    merge(
+        "--shards 3",
+        "chunks 1 to 2 are",
+        "1/3 to 2/3 make them again",
+    );
+    let words = ["\"shards\": 2", "\"first_shard\": \"1/2\""];
+    desk.run("merge s.zarr --json").tells(1, &words);
+    // Shards of another number go on, and leave it.
+    desk.say(&format!("{LINE} --shard 1/3"));
+    assert_eq!(fs::read(&path).expect("metadata"), metadata);
+    merge("", "chunk 2 is", "1/2 makes it again");
+    // What is no number of shards is as none, which older stores have.
+    let mut document: Value = serde_json::from_slice(&metadata).expect("JSON");
+    for number in [json!(0), json!("2"), json!([2]), Value::Null] {
+        document["attributes"]["corput_shards"] = number;
+        fs::write(&path, document.to_string()).expect("written");
+        merge("", "chunk 2 is", "2/3 makes it again");
+    }
+    let attributes = document["attributes"].as_object_mut();
+    attributes.expect("attributes").remove("corput_shards");
+    fs::write(&path, document.to_string()).expect("written");
+    merge("", "chunk 2 is", "2/3 makes it again");
+    merge("--shards 2", "chunk 2 is", "1/2 makes it again");
+    desk.run(LINE).expect(0, &["2 of 3 chunks were there"]);
+    desk.merged("s.zarr");
+    // Of a store that no shard has begun nothing is noted.
+    fs::remove_dir_all(desk.path("s.zarr")).expect("removed");
+    desk.say(LINE);
+    fs::remove_file(desk.path("s.zarr/c/1/0")).expect("removed");
+    merge("", "chunk 1 is", "1/3 makes it again");
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! The same store by one process or by several, in any order, on any device, and after a kill.
 
 use super::{Desk, Run, raw_hash};
-use std::path::Path;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -9,15 +11,30 @@ use std::time::{Duration, Instant};
 /// Three chunks of 2^21 points, the last not full.
 const LINE: &str = "sobol --count 5000000 --dims 2 --scramble shift --seed 4 --device cpu";
 
+/// The files of a store without the number of shards that its zarr.json notes, and that number.
+fn parts(desk: &Desk, store: &str) -> (BTreeMap<PathBuf, Vec<u8>>, Option<u64>) {
+    let mut files = desk.tree(store);
+    let text = files.get_mut(Path::new("zarr.json")).expect("metadata");
+    let mut document: Value = serde_json::from_slice(text).expect("JSON");
+    let attributes = document["attributes"].as_object_mut().expect("attributes");
+    let noted = attributes.remove("corput_shards");
+    *text = document.to_string().into_bytes();
+    (
+        files,
+        noted.map(|shards| shards.as_u64().expect("a number")),
+    )
+}
+
 #[test]
 fn shards_in_any_order_are_the_whole() {
     let desk = Desk::new();
     desk.say(&format!("generate {LINE} --out whole.zarr"));
     let hash = desk.merged("whole.zarr");
     assert_eq!(hash, raw_hash(&desk, LINE));
-    let whole = desk.tree("whole.zarr");
+    let (whole, noted) = parts(&desk, "whole.zarr");
     // zarr.json; three chunks, three records, and that of the array.
     assert_eq!(whole.len(), 1 + 3 + 3 + 1, "{:?}", whole.keys());
+    assert_eq!(noted, None);
     for order in [&[0, 1][..], &[1, 0], &[2, 0, 1], &[4, 1, 3, 0, 2]] {
         let store = format!("{}.zarr", order.len() * 10 + order[0]);
         let count = order.len();
@@ -38,7 +55,9 @@ fn shards_in_any_order_are_the_whole() {
             assert_eq!(run.stderr.is_empty(), !empty, "{}", run.stderr);
         }
         assert_eq!(desk.merged(&store), hash);
-        assert!(desk.tree(&store) == whole, "{order:?}");
+        let (files, noted) = parts(&desk, &store);
+        assert!(files == whole, "{order:?}");
+        assert_eq!(noted, Some(count as u64));
         std::fs::remove_dir_all(desk.path(&store)).expect("removed");
     }
 }
@@ -57,7 +76,7 @@ fn a_device_makes_the_same_store() {
     ));
     desk.say(&format!("{line} --device cpu --out both.zarr --shard 1/2"));
     assert_eq!(desk.merged("cpu.zarr"), desk.merged("both.zarr"));
-    assert!(desk.tree("cpu.zarr") == desk.tree("both.zarr"));
+    assert!(parts(&desk, "cpu.zarr").0 == parts(&desk, "both.zarr").0);
 }
 
 /// A worker of a shard, ended at the latest with the test.
@@ -165,11 +184,16 @@ fn an_interrupted_shard_says_that_it_goes_on() {
 fn shards_at_once_race_for_the_same_files() {
     let desk = Desk::new();
     let line = "generate vdc --count 9000000 --device cpu --out s.zarr";
-    // All make all of the three chunks.
-    let workers: Vec<_> = (0..4).map(|_| Worker::start(&desk, line)).collect();
-    for worker in workers {
+    // All make all of the three chunks, and two would have zarr.json say so.
+    let lines = ["", " --shard 0/1", "", " --shard 0/1"].map(|shard| format!("{line}{shard}"));
+    let workers: Vec<_> = lines
+        .iter()
+        .map(|line| Worker::start(&desk, line))
+        .collect();
+    for (worker, line) in workers.into_iter().zip(&lines) {
         worker.end(line).expect(0, &[]);
     }
+    assert!([None, Some(1)].contains(&parts(&desk, "s.zarr").1));
     let hash = desk.merged("s.zarr");
     assert_eq!(hash, raw_hash(&desk, "vdc --count 9000000 --device cpu"));
 }

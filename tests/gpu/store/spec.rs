@@ -152,7 +152,7 @@ fn zarr_python_reads_the_same() {
                   print(a.shape, a.dtype, a.chunks, hashlib.sha256(a[:].tobytes()).hexdigest())";
     for (arguments, rows, kind) in CASES {
         let desk = Desk::new();
-        desk.say(&format!("generate {arguments} --out a.zarr"));
+        desk.say(&format!("generate {arguments} --out a.zarr --shard 0/1"));
         let run = Command::new(&python)
             .args(["-c", script])
             .arg(desk.path("a.zarr"))
@@ -165,7 +165,13 @@ fn zarr_python_reads_the_same() {
             "{said}{}",
             String::from_utf8_lossy(&run.stderr)
         );
-        // An attribute of others changes nothing.
+        // An attribute of others changes nothing, and leaves ours.
         desk.run("merge a.zarr").expect(0, &[]);
+        let meta: Value = serde_json::from_slice(&desk.bytes("a.zarr/zarr.json")).expect("JSON");
+        let attributes = &meta["attributes"];
+        assert_eq!(
+            (&attributes["note"], &attributes["corput_shards"]),
+            (&json!("mine"), &json!(1))
+        );
     }
 }
