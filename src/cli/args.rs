@@ -50,7 +50,8 @@ pub enum Command {
     /// Check that a Zarr store is complete, add estimates of several ranges exactly, or write the report
     /// of a study in shards.
     Merge(MergeArgs),
-    /// Make a file of points again from its FILE.json, or the chunks of a store, and compare.
+    /// Make a file of points or a picture again from its FILE.json, or the chunks of a store, and
+    /// compare.
     Verify(VerifyArgs),
     /// List the maps: parameters, dimensions, pdf and its measure, errors.
     Maps(MapsArgs),

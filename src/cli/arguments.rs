@@ -57,6 +57,20 @@ pub struct Places<'a> {
     pub folder: &'a Path,
 }
 
+impl Places<'_> {
+    /// Refuses to be told of one where there is no picture to look for.
+    pub fn refuse(&self) -> Result<()> {
+        match self.given {
+            None => Ok(()),
+            Some(_) => Err(Error::Arguments {
+                asked: "--env".into(),
+                limit: "no picture is recorded, so that none is needed".into(),
+                remedy: "drop --env".into(),
+            }),
+        }
+    }
+}
+
 /// The arguments that a sidecar records; those of this run, as the device, are left open. Its
 /// picture is sought where it was, seen from here and from the folder of the file.
 ///
@@ -76,12 +90,9 @@ pub fn parse(recorded: &Value, places: &Places) -> Result<GenerateArgs> {
         })?;
     args.env = match (&args.env, picture) {
         (Some(path), Some(picture)) => Some(find(path, &picture, places)?),
-        (None, _) if places.given.is_some() => {
-            return Err(Error::Arguments {
-                asked: "--env".into(),
-                limit: "no picture is recorded, so that none is needed".into(),
-                remedy: "drop --env".into(),
-            });
+        (None, _) => {
+            places.refuse()?;
+            None
         }
         (Some(_), None) => {
             return Err(Error::Arguments {
@@ -90,7 +101,6 @@ pub fn parse(recorded: &Value, places: &Places) -> Result<GenerateArgs> {
                 remedy: "take the document that was written with the file".into(),
             });
         }
-        (None, _) => None,
     };
     // A sequence that is random already takes no scramble, not even none.
     let sequence = Sequence::from_name(&args.sequence).ok();

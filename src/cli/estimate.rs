@@ -13,10 +13,7 @@ use std::ops::Range;
 use std::time::Instant;
 
 pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
-    let mut problem = Problem::parse(&args.integrand)?;
-    if let Some(name) = &args.estimator {
-        problem = problem.with_estimator(name)?;
-    }
+    let problem = problem(args)?;
     let sampler = Sampler::parse(&args.sampler)?;
     let options = options(args, sampler, &problem);
     let request = Request::new(&options)?;
@@ -38,8 +35,17 @@ pub fn run(args: &EstimateArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// What is integrated, and by which estimator.
+pub fn problem(args: &EstimateArgs) -> Result<Problem> {
+    let problem = Problem::parse(&args.integrand)?;
+    match &args.estimator {
+        Some(name) => problem.with_estimator(name),
+        None => Ok(problem),
+    }
+}
+
 /// The points, of which the integrand says the dimensions.
-fn options(args: &EstimateArgs, sampler: Sampler, problem: &Problem) -> Options {
+pub fn options(args: &EstimateArgs, sampler: Sampler, problem: &Problem) -> Options {
     Options {
         first: args.start,
         dimensions: Some(problem.dimensions().into()),

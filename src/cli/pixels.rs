@@ -1,32 +1,41 @@
 //! `corput estimate --pixels`: a picture, an exact estimate for each pixel.
 //!
 //! An .npy holds mean, variance and number of terms of each pixel as `f32`, an .exr the means,
-//! a PNG of 16 bits the means as shares of the largest. What `--json` prints has the sums, so
-//! that pictures of other points of a pixel merge.
+//! a PNG of 16 bits the means as shares of the largest; FILE.json beside it has what makes it
+//! again. What `--json` prints has the sums, so that pictures of other points of a pixel merge.
+
+mod recorded;
+
+pub use recorded::is_picture;
 
 use super::args::EstimateArgs;
-use super::estimate::{about, heading};
+use super::estimate::{self, about, heading};
 use super::format::Format;
 use super::{host, interrupt, print, progress};
 use corput::bulk::estimate_pixels;
-use corput::catalog::{Profile, Raster, Request};
+use corput::catalog::{Profile, Raster, Request, Sampler};
 use corput::estimate::{Estimate, Pixels};
 use corput::kernels::PixelEstimator;
 use corput::picture::{self, Size};
-use corput::report::{Document, Element, Target, npy_array};
+use corput::report::{Document, Element, Form, NPY_DATA_OFFSET, Target, npy_array};
 use corput::{Error, Result};
 use serde_json::{Value, json};
 use std::time::Instant;
 
 pub fn run(args: &EstimateArgs, raster: &Raster, request: &Request) -> anyhow::Result<()> {
-    let target = args.out.as_deref().map(Target::from);
-    let target =
-        target.map(|target| Ok::<_, Error>((Format::of(&target, None)?, Document::open(&target)?)));
-    let target = target.transpose()?;
+    // Before there is a file that could be left.
     interrupt::clean_up();
+    let target = args.out.as_deref().map(Target::from);
+    let target = target.map(|target| {
+        let format = Format::of(&target, None)?;
+        Ok::<_, Error>((format, Document::open_described(&target)?))
+    });
+    let target = target.transpose()?;
     let made = made(args, raster)?;
     if let Some((format, document)) = target {
-        document.finish(&encode(format, &made.pixels)?)?;
+        let (bytes, form) = encode(format, &made.pixels)?;
+        let origin = recorded::origin(args, raster.problem(), request, &made.device)?;
+        document.finish_described(&bytes, &form, &origin)?;
     }
     let truths = truths(raster)?;
     if args.json {
@@ -36,6 +45,21 @@ pub fn run(args: &EstimateArgs, raster: &Raster, request: &Request) -> anyhow::R
         print(&text(raster, request, &made, &truths)?);
     }
     Ok(())
+}
+
+/// A picture of recorded arguments made again: the bytes of its file.
+pub fn again(
+    arguments: &Value,
+    device: Option<&str>,
+    format: &str,
+) -> anyhow::Result<(Vec<u8>, Form)> {
+    let (mut args, size) = recorded::parse(arguments)?;
+    args.device = device.map(str::to_owned);
+    let problem = estimate::problem(&args)?;
+    let options = estimate::options(&args, Sampler::parse(&args.sampler)?, &problem);
+    let raster = Raster::new(&problem, &options, size)?;
+    let format = Format::of(&Target::Stdout, Some(format))?;
+    Ok(encode(format, &made(&args, &raster)?.pixels)?)
 }
 
 /// Refuses what only pictures have.
@@ -103,7 +127,7 @@ fn truths(raster: &Raster) -> Result<Vec<f64>> {
     (0..raster.pixels()).map(truth).collect()
 }
 
-fn encode(format: Format, pixels: &Pixels) -> Result<Vec<u8>> {
+fn encode(format: Format, pixels: &Pixels) -> Result<(Vec<u8>, Form)> {
     let [width, height] = pixels.size();
     let size = Size {
         width,
@@ -111,22 +135,36 @@ fn encode(format: Format, pixels: &Pixels) -> Result<Vec<u8>> {
         channels: 1,
     };
     let means = || pixels.moments().map(|[mean, ..]| mean);
-    match format {
+    let mut shape = vec![height, width];
+    let (bytes, format, descr, header) = match format {
         Format::Npy => {
             let words: Vec<u32> = pixels
                 .moments()
                 .flatten()
                 .map(|x| (x as f32).to_bits())
                 .collect();
-            Ok(npy_array(Element::F32, &[height, width, 3], &words))
+            shape.push(3);
+            let bytes = npy_array(Element::F32, &shape, &words);
+            (bytes, "npy", Element::F32.descr(), NPY_DATA_OFFSET)
         }
-        Format::Exr => picture::exr(size, &means().map(|x| x as f32).collect::<Vec<_>>()),
+        Format::Exr => {
+            let samples: Vec<f32> = means().map(|x| x as f32).collect();
+            (picture::exr(size, &samples)?, "exr", "<f4", 0)
+        }
         Format::Png => {
             let white = means().fold(0.0, f64::max).max(f64::MIN_POSITIVE);
             let sample = |mean: f64| (65535.0 * (mean / white).clamp(0.0, 1.0)).round() as u16;
-            picture::png(size, &means().map(sample).collect::<Vec<_>>())
+            let samples: Vec<u16> = means().map(sample).collect();
+            (picture::png(size, &samples)?, "png", ">u2", 0)
         }
-    }
+    };
+    let form = Form {
+        format,
+        shape,
+        descr,
+        header,
+    };
+    Ok((bytes, form))
 }
 
 /// Whose points pixels have.

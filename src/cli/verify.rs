@@ -3,9 +3,9 @@
 use super::args::{GenerateArgs, VerifyArgs};
 use super::arguments::Places;
 use super::generate::Maker;
-use super::{arguments, generate, host, mask, points, print, progress};
+use super::{arguments, generate, host, mask, pixels, points, print, progress};
 use corput::catalog::{Engine, Profile};
-use corput::report::{Comparison, Layout, Origin, Sidecar, Whole, zarr};
+use corput::report::{Comparison, Form, Layout, Origin, Sidecar, Whole, zarr};
 use corput::{Error, Result};
 use serde_json::Value;
 use std::ops::Range;
@@ -26,7 +26,17 @@ fn file(args: &VerifyArgs) -> anyhow::Result<()> {
     };
     let origin = Origin::of(&file)?;
     if origin.arguments["sequence"] == mask::NAME {
-        return whole(args, &file, &origin);
+        return whole(args, &file, "a mask", &|format| {
+            let mut made = arguments::parse(&origin.arguments, &places(args, &file))?;
+            made.device.clone_from(&args.device);
+            Ok(mask::again(&made, format)?)
+        });
+    }
+    if pixels::is_picture(&origin.arguments) {
+        places(args, &file).refuse()?;
+        return whole(args, &file, "a picture", &|format| {
+            pixels::again(&origin.arguments, args.device.as_deref(), format)
+        });
     }
     let sidecar = Sidecar::of(&file)?;
     let recorded = Recorded {
@@ -48,22 +58,28 @@ fn file(args: &VerifyArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// A file that is made at once, of which no rows can be made alone.
-fn whole(args: &VerifyArgs, file: &Path, origin: &Origin) -> anyhow::Result<()> {
+/// The bytes of a file, and what they are.
+type Made = (Vec<u8>, Form);
+
+/// A file that is made at once, of which no rows can be made alone; `again` makes it in a format.
+fn whole(
+    args: &VerifyArgs,
+    file: &Path,
+    what: &str,
+    again: &dyn Fn(&str) -> anyhow::Result<Made>,
+) -> anyhow::Result<()> {
     let shown = args.file.display();
     if args.range.is_some() {
         return Err(Error::Arguments {
             asked: format!("--range of {shown}"),
-            limit: "a mask is made whole".into(),
+            limit: format!("{what} is made whole"),
             remedy: "drop --range".into(),
         }
         .into());
     }
     let recorded = Whole::of(file)?;
     warn_of_version(args, &recorded.version);
-    let mut made = arguments::parse(&origin.arguments, &places(args, file))?;
-    made.device.clone_from(&args.device);
-    let (bytes, form) = mask::again(&made, &recorded.format)?;
+    let (bytes, form) = again(&recorded.format)?;
     recorded.compare(file, &bytes, &form)?;
     print(&format!(
         "{shown}: all {} bytes are equal; SHA-256 {}",

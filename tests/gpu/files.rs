@@ -7,12 +7,16 @@ mod desk;
 mod formats;
 #[path = "files/full.rs"]
 mod full;
+#[path = "../cpu/json_schema.rs"]
+mod json_schema;
 #[path = "files/killed.rs"]
 mod killed;
 #[path = "files/masks.rs"]
 mod masks;
 #[path = "files/memory.rs"]
 mod memory;
+#[path = "files/pictures.rs"]
+mod pictures;
 #[path = "files/recorded.rs"]
 mod recorded;
 mod support;
@@ -23,6 +27,8 @@ mod verify;
 mod windows;
 
 use desk::{Desk, Run};
+use serde_json::Value;
+use sha2::{Digest, Sha256};
 use std::fs;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
@@ -101,6 +107,15 @@ impl Drop for Running {
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    corput::report::hexadecimal(&Sha256::digest(bytes))
+}
+
+/// The FILE.json of a file.
+fn sidecar(desk: &Desk, name: &str) -> Value {
+    serde_json::from_slice(&desk.bytes(&format!("{name}.json"))).unwrap()
 }
 
 /// The CPU, and the device where there is one.

@@ -3,6 +3,7 @@
 use super::values::{size, whole};
 use clap::Args;
 use corput::catalog::Shard;
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -71,7 +72,8 @@ pub struct ConvergeArgs {
     pub json: bool,
 }
 
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[command(
     after_help = "Sums are exact: the same bits on every device, by any number of dispatches."
 )]
@@ -97,6 +99,7 @@ pub struct EstimateArgs {
     #[arg(long, visible_alias = "first", value_parser = whole, allow_hyphen_values = true, default_value = "0")]
     pub start: u64,
     /// Only share I of N of the points, from 0: `corput merge` adds what --json prints of all.
+    #[serde(skip)]
     #[arg(
         long,
         value_name = "I/N",
@@ -109,13 +112,17 @@ pub struct EstimateArgs {
     #[arg(long, value_parser = size)]
     pub pixels: Option<[u32; 2]>,
     /// Write the picture: .npy has mean, variance and count, .exr the means, .png the means as
-    /// shares of the largest.
+    /// shares of the largest; - is an .npy on standard output. FILE.json beside a file records
+    /// arguments and hashes, for `corput verify`.
+    #[serde(skip)]
     #[arg(long)]
     pub out: Option<PathBuf>,
     /// Device by index or part of its name; `cpu` for the reference.
+    #[serde(skip)]
     #[arg(long)]
     pub device: Option<String>,
     /// Print one JSON document, with the sums as decimal strings.
+    #[serde(skip)]
     #[arg(long)]
     pub json: bool,
 }

@@ -7,8 +7,8 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct VerifyArgs {
-    /// A file that `corput generate` wrote, with its FILE.json beside it; or the folder of a Zarr
-    /// store.
+    /// A file that `corput generate` or `corput estimate --pixels` wrote, with its FILE.json beside
+    /// it; or the folder of a Zarr store.
     pub file: PathBuf,
     /// Only these rows, counted from 0, the last not among them; hashes are left out
     /// [default: all, and the hashes].

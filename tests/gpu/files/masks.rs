@@ -1,11 +1,7 @@
 //! Masks: their FILE.json, and `corput verify` of them.
 
-#[path = "../../cpu/json_schema.rs"]
-mod json_schema;
-
-use super::{Desk, devices};
+use super::{Desk, devices, json_schema, sha256, sidecar};
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 use std::fs;
 
 /// Options, file, shape and type.
@@ -21,14 +17,6 @@ const MASKS: [(&str, &str, &[u32], &str); 5] = [
     ("--size 8 --frames 3", "m.png", &[24, 8], ">u2"),
     ("--size 8 --format png", "m", &[8, 8], ">u2"),
 ];
-
-fn sha256(bytes: &[u8]) -> String {
-    corput::report::hexadecimal(&Sha256::digest(bytes))
-}
-
-fn sidecar(desk: &Desk, name: &str) -> Value {
-    serde_json::from_slice(&desk.bytes(&format!("{name}.json"))).unwrap()
-}
 
 #[test]
 fn masks_are_described_and_verified() {
