@@ -8,7 +8,7 @@
 # script goes to `corput generate`:
 #
 #   sbatch --parsable examples/slurm_generate.sh sobol --count 1073741824 --dims 2 --out store.zarr
-#   sbatch --dependency=afterok:JOB --wrap 'corput merge store.zarr --shards 8'
+#   sbatch --dependency=afterok:JOB --wrap 'corput merge store.zarr'
 #
 # Tasks may run in any order, at once, and again: chunks that are there and whole are kept. If the
 # merge names shards that are missing, run those alone, which leaves N as it is:

@@ -2,6 +2,7 @@
 
 #[path = "store/damage.rs"]
 mod damage;
+#[cfg(unix)]
 #[path = "store/dask.rs"]
 mod dask;
 mod desk;
