@@ -47,12 +47,16 @@ const POINTS: &[Points] = &[
 /// What the CPU path is to reach wherever a device has a goal.
 const CPU_FILLS: f64 = 1.3;
 
-/// Directions fused with their points: name, map, profile, and the goal in G points/s.
+/// Name, sequence, map, profile, and the goal in G points/s.
+type Fused = (&'static str, Sequence, &'static str, Profile, Option<f64>);
+
+/// Directions fused with their points.
 #[rustfmt::skip]
-const FUSED: &[(&str, &str, Profile, Option<f64>)] = &[
-    ("cosine polar, exact", "cosine-hemisphere-polar", Profile::Exact, Some(0.41)),
-    ("cosine concentric, exact", "cosine-hemisphere", Profile::Exact, None),
-    ("cosine polar, native", "cosine-hemisphere-polar", Profile::Native, Some(0.6)),
+const FUSED: &[Fused] = &[
+    ("cosine polar, exact", Sequence::Halton, "cosine-hemisphere-polar", Profile::Exact, Some(0.41)),
+    ("cosine polar of Sobol, exact", Sequence::Sobol, "cosine-hemisphere-polar", Profile::Exact, Some(0.41)),
+    ("cosine concentric, exact", Sequence::Halton, "cosine-hemisphere", Profile::Exact, None),
+    ("cosine polar, native", Sequence::Halton, "cosine-hemisphere-polar", Profile::Native, Some(0.6)),
 ];
 
 /// Maps with pdf over Sobol points, in both profiles: name and parameters.
@@ -83,8 +87,9 @@ pub fn jobs() -> Result<Vec<Job>> {
             cpu_goal: goal.map(|_| Goal::Fill(CPU_FILLS)),
         });
     }
-    for &(name, map, profile, goal) in FUSED {
-        let mut options = Options::new(Sequence::Halton, WORDS / 3);
+    for &(name, sequence, map, profile, goal) in FUSED {
+        let mut options = Options::new(sequence, WORDS / 3);
+        options.dimensions = Some(2);
         options.map = Some(Mapping::new(Map::from_name(map)?, &[])?);
         options.profile = profile;
         jobs.push(Job {

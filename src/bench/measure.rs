@@ -1,12 +1,12 @@
 //! Verifies a job, and times it in turn with a fill.
 
+use super::fill::fill;
 use super::{Goal, Job, Measurement};
 use crate::bulk::Reference;
 use crate::catalog::{Engine, Profile, Request};
 use crate::kernels::Generator;
 use crate::vulkan::Device;
 use crate::{Error, Result};
-use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -97,7 +97,6 @@ fn timed(
         times.push(round(&mut memory)?);
     }
     let median_s = median(&mut times);
-    let mut away: Vec<f64> = times.iter().map(|t| (t - median_s).abs()).collect();
     Ok(Measurement {
         name: job.name.clone(),
         kernel: kernel.to_owned(),
@@ -105,7 +104,7 @@ fn timed(
         bytes: 4 * words,
         cold_s,
         median_s,
-        deviation_s: median(&mut away),
+        deviation_s: deviation(&mut times),
         fill_s: median(&mut fills),
         goal,
     })
@@ -141,18 +140,11 @@ fn verify(request: &Request, points: u64, equal: Equal) -> Result<()> {
     Ok(())
 }
 
-/// Seconds to fill memory whose pages were touched before, with all cores.
-fn fill(memory: &mut [u32], value: u8) -> f64 {
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let share = memory.len().div_ceil(threads);
-    let start = Instant::now();
-    std::thread::scope(|scope| {
-        for part in memory.chunks_mut(share) {
-            // As bytes it is the C library's memset.
-            scope.spawn(move || black_box(bytemuck::cast_slice_mut::<_, u8>(part)).fill(value));
-        }
-    });
-    start.elapsed().as_secs_f64()
+/// The median absolute deviation from the median.
+pub(super) fn deviation(values: &mut [f64]) -> f64 {
+    let middle = median(values);
+    let mut away: Vec<f64> = values.iter().map(|value| (value - middle).abs()).collect();
+    median(&mut away)
 }
 
 pub(super) fn median(values: &mut [f64]) -> f64 {

@@ -3,6 +3,7 @@
 
 mod against;
 mod document;
+mod fill;
 mod jobs;
 mod measure;
 mod scaling;
@@ -16,7 +17,9 @@ pub use measure::{on_cpu, on_device};
 pub use scaling::{MOST, SIZES, Scale, scaling, scaling_json, spread};
 
 #[cfg(feature = "scenes")]
-use measure::{ROUNDS, median};
+use fill::Fills;
+#[cfg(feature = "scenes")]
+use measure::{ROUNDS, deviation, median};
 
 /// A measured job.
 #[derive(Clone, Debug)]

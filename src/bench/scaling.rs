@@ -1,6 +1,7 @@
 //! Whether device time grows as the words that are made do.
 
-use super::measure::{dispatched, median};
+use super::fill::Fills;
+use super::measure::{deviation, dispatched, median};
 use crate::Result;
 use crate::catalog::{Options, Request, Sequence};
 use crate::kernels::Generator;
@@ -16,7 +17,7 @@ pub const SIZES: RangeInclusive<u32> = 25..=32;
 pub const MOST: f64 = 1.1;
 
 /// Rounds of all sizes; the median of them is reported.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 9;
 
 /// The time of so many words.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +26,11 @@ pub struct Scale {
     pub words: u64,
     /// Median device seconds of all of them.
     pub median_s: f64,
+    /// Median absolute deviation of that time.
+    pub deviation_s: f64,
+    /// Median seconds of a fill of as many bytes on all cores of the host, in memory that is used
+    /// again as the device's buffer is.
+    pub fill_s: f64,
 }
 
 impl Scale {
@@ -32,6 +38,12 @@ impl Scale {
     #[must_use]
     pub fn word_ns(&self) -> f64 {
         self.median_s * 1e9 / self.words as f64
+    }
+
+    /// Times the fill.
+    #[must_use]
+    pub fn fills(&self) -> f64 {
+        self.median_s / self.fill_s
     }
 }
 
@@ -47,15 +59,19 @@ pub fn scaling(device: &Arc<Device>, sizes: RangeInclusive<u32>) -> Result<Vec<S
     let mut generator = Generator::new(device, &Request::new(&options)?)?;
     // The pages of the buffer are touched, and all is compiled.
     generator.dispatch(0, generator.limit().min(points(*sizes.end())))?;
-    let mut times = vec![Vec::new(); sizes.clone().count()];
+    let mut memory = Fills::new();
+    let mut times = vec![(Vec::new(), Vec::new()); sizes.clone().count()];
     for _ in 0..ROUNDS {
-        for (size, times) in sizes.clone().zip(&mut times) {
+        for (size, (times, fills)) in sizes.clone().zip(&mut times) {
+            fills.push(memory.seconds(8 * points(size)));
             times.push(dispatched(&mut generator, points(size), u64::MAX)?);
         }
     }
-    let scale = |(size, times): (u32, &mut Vec<f64>)| Scale {
+    let scale = |(size, (times, fills)): (u32, &mut (Vec<f64>, Vec<f64>))| Scale {
         words: 2 * points(size),
         median_s: median(times),
+        deviation_s: deviation(times),
+        fill_s: median(fills),
     };
     Ok(sizes.zip(&mut times).map(scale).collect())
 }
@@ -75,7 +91,10 @@ pub fn scaling_json(machine: &super::Machine, scales: &[Scale]) -> Value {
         json!({
             "words": scale.words,
             "median_s": scale.median_s,
+            "deviation_s": scale.deviation_s,
             "word_ns": scale.word_ns(),
+            "fill_s": scale.fill_s,
+            "times_fill": scale.fills(),
         })
     };
     json!({
@@ -96,9 +115,15 @@ mod tests {
 
     #[test]
     fn the_spread_is_that_of_times_per_word() {
-        let scale = |words, median_s| Scale { words, median_s };
+        let scale = |words, median_s| Scale {
+            words,
+            median_s,
+            deviation_s: 0.0,
+            fill_s: 0.25,
+        };
         let linear = [scale(1 << 25, 0.5), scale(1 << 26, 1.0)];
         assert_eq!(spread(&linear), 1.0);
+        assert_eq!(linear[1].fills(), 4.0);
         let grows = [
             scale(1 << 25, 0.5),
             scale(1 << 26, 1.5),

@@ -103,16 +103,18 @@ fn scaling(args: &BenchArgs, device: &Arc<Device>) -> anyhow::Result<()> {
         return Ok(());
     }
     let mut table = Table::new();
-    let header = ["words", "median ms", "ns a word"];
+    let header = ["words", "median ms", "deviation", "ns a word", "x fill"];
     table.load_style(presets::NOTHING).set_header(header);
     for scale in &scales {
         table.add_row([
             scale.words.to_string(),
             format!("{:.2}", scale.median_s * 1e3),
+            format!("{:.2}", scale.deviation_s * 1e3),
             format!("{:.4}", scale.word_ns()),
+            format!("{:.2}", scale.fills()),
         ]);
     }
-    align_right(&mut table, 0..3);
+    align_right(&mut table, 0..5);
     let spread = bench::spread(&scales);
     let reached = spread <= bench::MOST;
     print(&format!("{}\n{table}", machine.device));

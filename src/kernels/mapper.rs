@@ -86,6 +86,12 @@ impl Mapper {
         Ok(())
     }
 
+    /// Words of a result.
+    #[must_use]
+    pub fn words(&self) -> u32 {
+        self.widths[1] as u32
+    }
+
     /// Maps the first `count` inputs of a buffer, which must hold four times as many as
     /// there are invocations, rounded up, into another.
     ///

@@ -151,7 +151,13 @@ fn scenes_are_measured_against_the_stock_kernels() {
             speeds[side]["median_s"].as_f64().is_some_and(|s| s > 0.0),
             "{speeds}"
         );
+        // A direction and its pdf a sample; of the stock kernels its point too.
+        let samples = speeds[side]["samples"].as_u64().unwrap();
+        let words = if side == "full" { 6 } else { 4 };
+        assert_eq!(speeds[side]["bytes"], 4 * words * samples, "{speeds}");
     }
+    let compiled = speeds["compile_s"].as_f64().unwrap();
+    assert_eq!(speeds["compile_goal_reached"], compiled <= 0.01);
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Ways to make the samples of a scene.
 
-use super::MOST;
+use super::{MOST, ROUNDS, median};
 use crate::Result;
-use crate::catalog::{Mapping, Output, Profile, Request};
+use crate::catalog::{Engine, Mapping, Output, Profile, Request};
 use crate::interface::task;
 use crate::kernels::{Generator, Mapper};
 use crate::scene::{Domain, Draw, Needs};
@@ -15,6 +15,8 @@ use std::time::Instant;
 pub(super) trait Maker {
     /// Samples that fit.
     fn limit(&self) -> u64;
+    /// Bytes that the device stores for one.
+    fn bytes(&self) -> u64;
     /// Makes the first ones.
     fn make(&mut self, count: u32) -> Result<Timing>;
     /// What it took until then.
@@ -43,6 +45,9 @@ fn started<M>(device: &Device, make: impl FnOnce() -> Result<M>) -> Result<(M, S
 /// Bytes of a buffer of results.
 const BYTES: u64 = 1 << 26;
 
+/// What takes longer is timed in three rounds.
+const LONG_S: f64 = 0.2;
+
 /// The samples that a start makes.
 const FIRST: u32 = 64;
 
@@ -50,12 +55,14 @@ pub(super) struct Stripped {
     sampler: Sampler,
     results: Buffer,
     limit: u64,
+    bytes: u64,
     start: Start,
 }
 
 impl Stripped {
     pub(super) fn new(device: &Arc<Device>, program: &Program, words: &[u32]) -> Result<Self> {
-        let limit = BYTES / (4 * u64::from(program.record.words)) / 64 * 64;
+        let bytes = 4 * u64::from(program.record.words);
+        let limit = BYTES / bytes / 64 * 64;
         let make = || {
             let results = Buffer::new(device, program.sample_bytes(limit), Access::Readback)?;
             let sampler = Sampler::new(device, program, words)?;
@@ -67,14 +74,49 @@ impl Stripped {
             sampler,
             results,
             limit,
+            bytes,
             start,
         })
     }
 }
 
+/// Host seconds from a program's text to its module.
+pub(super) fn compiled(program: &Program) -> Result<f64> {
+    let text = program.flat(false)?.text;
+    let mut times = Vec::new();
+    for _ in 0..ROUNDS {
+        let begun = Instant::now();
+        program.spirv(&text)?;
+        times.push(begun.elapsed().as_secs_f64());
+    }
+    Ok(median(&mut times))
+}
+
+/// Host seconds until a pipeline of a program's module has made its first samples, where others
+/// have before. A driver that keeps what it compiled does not compile again; Mesa does where
+/// `MESA_SHADER_CACHE_DISABLE` is set.
+pub(super) fn warm(device: &Arc<Device>, program: &Program, words: &[u32]) -> Result<f64> {
+    let first = u64::from(FIRST);
+    let results = Buffer::new(device, program.sample_bytes(first), Access::Readback)?;
+    let mut times = Vec::new();
+    for round in 0..ROUNDS {
+        if round >= 3 && times[0] > LONG_S {
+            break;
+        }
+        let begun = Instant::now();
+        Sampler::new(device, program, words)?.dispatch_any(&results, 0, FIRST)?;
+        times.push(begun.elapsed().as_secs_f64());
+    }
+    Ok(median(&mut times))
+}
+
 impl Maker for Stripped {
     fn limit(&self) -> u64 {
         self.limit
+    }
+
+    fn bytes(&self) -> u64 {
+        self.bytes
     }
 
     fn make(&mut self, count: u32) -> Result<Timing> {
@@ -171,6 +213,14 @@ impl Maker for Full {
         limits.min().unwrap_or(0).min(BYTES / 16)
     }
 
+    fn bytes(&self) -> u64 {
+        let words = |(generator, mapped): &Part| {
+            let mapped = mapped.as_ref().map_or(0, |(mapper, _)| mapper.words());
+            u64::from(generator.words_per_point() + mapped)
+        };
+        4 * self.parts.iter().map(words).sum::<u64>()
+    }
+
     fn make(&mut self, count: u32) -> Result<Timing> {
         dispatch(&mut self.parts, count)
     }
@@ -221,6 +271,10 @@ impl Baked {
 impl Maker for Baked {
     fn limit(&self) -> u64 {
         self.generator.limit()
+    }
+
+    fn bytes(&self) -> u64 {
+        4 * u64::from(self.generator.words_per_point())
     }
 
     fn make(&mut self, count: u32) -> Result<Timing> {

@@ -6,7 +6,7 @@ mod report;
 
 pub use report::{document, page, rows};
 
-use super::{ROUNDS, median};
+use super::{Fills, ROUNDS, deviation, median};
 use crate::bulk::SceneReference;
 use crate::catalog::Profile;
 use crate::interface::FAMILIES;
@@ -17,7 +17,7 @@ use crate::strip::{Measure, measure};
 use crate::variant::{Plan, Work, general};
 use crate::vulkan::{Device, DeviceKind, Timing};
 use crate::{Error, Result};
-use makers::{Baked, Full, Maker, Stripped, alone};
+use makers::{Baked, Full, Maker, Stripped, alone, compiled, warm};
 use std::sync::Arc;
 
 /// Modules, and the buffers that they read.
@@ -47,6 +47,10 @@ pub struct Speed {
     pub median_s: f64,
     /// Median absolute deviation of that time.
     pub deviation_s: f64,
+    /// Bytes that the device stores in a round.
+    pub bytes: u64,
+    /// Median seconds of a fill of as many on all cores of the host.
+    pub fill_s: f64,
 }
 
 /// Times of a scene's samples.
@@ -60,7 +64,16 @@ pub struct Speeds {
     /// By the kernel of tiles whose constants `corput generate` bakes, which makes bare points
     /// and some maps of points alone.
     pub baked: Option<Speed>,
+    /// Median host seconds from the scene's text to its checked module, in a process that has
+    /// compiled before: [`COMPILED_S`] at most are the project's goal.
+    pub compile_s: f64,
+    /// Median host seconds until the scene's own pipeline has its first 64 samples, made once more
+    /// in a process that made it before.
+    pub warm_s: f64,
 }
+
+/// What [`Speeds::compile_s`] is to be at most.
+pub const COMPILED_S: f64 = 0.010;
 
 /// A scene's kernel, and what it is compared with.
 #[derive(Clone, Debug)]
@@ -115,8 +128,12 @@ pub fn compare(
         Some(request) => Some(Baked::new(device, &request)?),
         None => None,
     };
+    let again = Again {
+        compile_s: compiled(program)?,
+        warm_s: warm(device, program, words)?,
+    };
     Ok(Comparison {
-        speeds: Some(speeds(&mut full, &mut stripped, baked.as_mut())?),
+        speeds: Some(speeds(&mut full, &mut stripped, baked.as_mut(), again)?),
         ..sizes(needs, program, words)?
     })
 }
@@ -208,35 +225,48 @@ fn seconds(timing: Timing) -> f64 {
 /// Samples of a dispatch at most.
 const MOST: u64 = 1 << 24;
 
-fn speeds(full: &mut Full, stripped: &mut Stripped, baked: Option<&mut Baked>) -> Result<Speeds> {
+/// What it takes to have the scene's kernel once more.
+struct Again {
+    compile_s: f64,
+    warm_s: f64,
+}
+
+fn speeds(
+    full: &mut Full,
+    stripped: &mut Stripped,
+    baked: Option<&mut Baked>,
+    again: Again,
+) -> Result<Speeds> {
     let whole = round(&mut [full])?;
     let mut own: Vec<&mut dyn Maker> = vec![stripped];
     own.extend(baked.map(|one| one as &mut dyn Maker));
     let each = round(&mut own)?;
     let mut makers: Vec<(&mut dyn Maker, u32)> = vec![(full, whole)];
     makers.extend(own.into_iter().map(|maker| (maker, each)));
-    let mut times = vec![Vec::new(); makers.len()];
+    let mut times = vec![(Vec::new(), Vec::new()); makers.len()];
     for (maker, samples) in &mut makers {
         maker.make(*samples)?;
     }
+    let mut memory = Fills::new();
     for _ in 0..ROUNDS {
-        for ((maker, samples), times) in makers.iter_mut().zip(&mut times) {
+        for ((maker, samples), (times, fills)) in makers.iter_mut().zip(&mut times) {
+            fills.push(memory.seconds(u64::from(*samples) * maker.bytes()));
             times.push(seconds(maker.make(*samples)?));
         }
     }
     let mut all = makers
         .iter()
         .zip(&mut times)
-        .map(|((maker, samples), times)| {
-            let median_s = median(times);
-            let mut away: Vec<f64> = times.iter().map(|time| (time - median_s).abs()).collect();
+        .map(|((maker, samples), (times, fills))| {
             let start = maker.start();
             Speed {
                 pipelines_s: start.pipelines_s,
                 start_s: start.all_s,
                 samples: *samples,
-                median_s,
-                deviation_s: median(&mut away),
+                median_s: median(times),
+                deviation_s: deviation(times),
+                bytes: u64::from(*samples) * maker.bytes(),
+                fill_s: median(fills),
             }
         });
     let (Some(full), Some(stripped)) = (all.next(), all.next()) else {
@@ -249,6 +279,8 @@ fn speeds(full: &mut Full, stripped: &mut Stripped, baked: Option<&mut Baked>) -
         full,
         stripped,
         baked: all.next(),
+        compile_s: again.compile_s,
+        warm_s: again.warm_s,
     })
 }
 

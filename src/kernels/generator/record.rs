@@ -42,6 +42,8 @@ impl Generator {
 
     /// Records the same into commands, perhaps of the caller's. One dispatch makes all points, or
     /// one for every four columns of wide rows, or every 8 or 16; a map that has a kernel of its own takes another.
+    /// `examples/own_buffer.rs` has commands and a buffer of its own.
+    ///
     /// Whole invocations write `target`, and what they leave over, fewer points than one makes,
     /// comes by way of a copy. Several may be in flight: they share what lies between, in order.
     ///

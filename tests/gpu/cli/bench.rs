@@ -68,7 +68,9 @@ fn a_device_is_measured_over_more_and_more_words() {
         let words: Vec<u64> = scales.iter().map(|scale| scale.words).collect();
         assert_eq!(words, [1 << 17, 1 << 18, 1 << 19]);
         assert!(
-            scales.iter().all(|scale| scale.median_s > 0.0),
+            scales
+                .iter()
+                .all(|scale| scale.median_s > 0.0 && scale.fill_s > 0.0),
             "{scales:?}"
         );
         let machine = Machine {
@@ -78,6 +80,8 @@ fn a_device_is_measured_over_more_and_more_words() {
         };
         let document = scaling_json(&machine, &scales);
         assert_eq!(document["sizes"].as_array().map(Vec::len), Some(3));
+        let fills = document["sizes"][0]["times_fill"].as_f64();
+        assert_eq!(fills, Some(scales[0].median_s / scales[0].fill_s));
         assert!(scaling(device, 25..=40).is_err());
     });
     let desk = Desk::new();
