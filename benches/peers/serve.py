@@ -1,7 +1,8 @@
 """Makes points with SciPy, NumPy and Torch, and says how many seconds that took.
 
-The first line names the libraries that there are. Each line of input is a library, what to
-make, dimensions and rows; each line of output the seconds, or what is wrong with the values.
+The argument is how many threads there are. The first line names the libraries that there are; of
+others standard error has why they are not. Each line of input is a library, what to make,
+dimensions and rows; each line of output the seconds, or what is wrong with the values.
 """
 
 import sys
@@ -9,20 +10,32 @@ import time
 
 makers = {}
 versions = []
+cores = int(sys.argv[1])
+
+
+def without(library, error):
+    print(f"without {library}: {error}", file=sys.stderr)
+
+
+try:
+    import scipy
+    from scipy.stats import qmc
+
+    versions.append(f"scipy-{scipy.__version__}")
+    makers["scipy", "halton"] = lambda d, n: qmc.Halton(d, scramble=False).random(n, workers=cores)
+    makers["scipy", "sobol"] = lambda d, n: qmc.Sobol(d, scramble=False).random(n)
+    makers["scipy", "sobol-scrambled"] = lambda d, n: qmc.Sobol(d, scramble=True, seed=1).random(n)
+except ImportError as error:
+    without("SciPy", error)
 
 try:
     import numpy
-    from scipy import __version__ as scipy_version
-    from scipy.stats import qmc
 
-    versions += [f"scipy-{scipy_version}", f"numpy-{numpy.__version__}"]
+    versions.append(f"numpy-{numpy.__version__}")
     generator = numpy.random.Generator(numpy.random.SFC64(1))
-    makers["scipy", "halton"] = lambda d, n: qmc.Halton(d, scramble=False).random(n, workers=2)
-    makers["scipy", "sobol"] = lambda d, n: qmc.Sobol(d, scramble=False).random(n)
-    makers["scipy", "sobol-scrambled"] = lambda d, n: qmc.Sobol(d, scramble=True, seed=1).random(n)
     makers["numpy", "random"] = lambda d, n: generator.random((n, d), dtype=numpy.float32)
-except ImportError:
-    pass
+except ImportError as error:
+    without("NumPy", error)
 
 try:
     import torch
@@ -32,8 +45,8 @@ try:
     makers["torch", "sobol"] = lambda d, n: engine(d).draw(n)
     makers["torch", "sobol-scrambled"] = lambda d, n: engine(d, scramble=True, seed=1).draw(n)
     makers["torch", "random"] = lambda d, n: torch.rand(n, d)
-except ImportError:
-    pass
+except ImportError as error:
+    without("Torch", error)
 
 print(*versions, flush=True)
 for line in sys.stdin:

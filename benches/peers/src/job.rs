@@ -54,6 +54,26 @@ pub trait Contender {
     }
 }
 
+/// A contender, and what it is called.
+pub struct Maker {
+    /// The library, with its version.
+    pub library: String,
+    /// What it does otherwise than others do.
+    pub note: String,
+    /// The table's column.
+    pub column: String,
+    /// What tells it from others in that column; of most nothing.
+    pub label: String,
+    pub contender: Box<dyn Contender>,
+}
+
+impl Maker {
+    pub fn name(&self) -> String {
+        let name = format!("{} {}", self.library, self.note);
+        name.trim_end().to_owned()
+    }
+}
+
 /// All cores.
 pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)

@@ -1,18 +1,24 @@
 //! corput beside other makers of samples: the same jobs, verified, and timed in turns in one
-//! run. Prints the rates of which the README's table is made.
+//! run. Prints the table that the README shows, or writes it there, and on standard error each
+//! rate as it is known.
 //!
 //! ```text
-//! bash benches/peers/run [JOB ...]     # parts of names of jobs; all without
+//! bash benches/peers/run [--python] [--write | JOB ...]     # parts of names of jobs; all without
 //! ```
 
 mod job;
 mod libraries;
 mod ours;
+mod processor;
 mod python;
+mod readme;
+mod table;
+mod versions;
 
-use job::{Contender, JOBS, Job};
+use job::{JOBS, Job, Maker};
 use std::hint::black_box;
 use std::time::Instant;
+use table::Rate;
 
 /// Values of each job: 64 MiB of floats.
 pub const VALUES: usize = 1 << 24;
@@ -23,58 +29,87 @@ const ROUNDS: usize = 9;
 /// A contender that takes longer than this is timed in three rounds.
 const LONG_S: f64 = 1.0;
 
+const USAGE: &str = "usage: bash benches/peers/run [--python] [--write | JOB ...]";
+
 /// One that fills memory and its times.
 struct Entry {
-    name: String,
-    maker: Box<dyn Contender>,
+    maker: Maker,
     seconds: Vec<f64>,
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
+    let (options, parts): (Vec<String>, Vec<String>) = std::env::args()
+        .skip(1)
+        .partition(|word| word.starts_with('-'));
+    let write = !options.is_empty();
+    // The README's table has all jobs.
+    if options.iter().any(|word| word != "--write") || (write && !parts.is_empty()) {
+        return Err(USAGE.into());
+    }
+    if write {
+        // Whether it has a place is better known before minutes are spent than after.
+        readme::with("")?;
+    }
     let device = ours::device();
     let python = python::Server::start();
-    println!(
-        "{} threads; {}",
+    let missing = python::missing(python.as_ref());
+    if write && (device.is_none() || !missing.is_empty()) {
+        return Err("the README's table has a device, SciPy and Torch: add --python".into());
+    }
+    let place = format!(
+        "2^{} values, {} threads of {}, {}",
+        VALUES.ilog2(),
         job::threads(),
+        processor::line(),
         ours::line(device.as_ref())
     );
-    println!("{}\n", python::line(python.as_ref()));
-    println!("| job | maker | x fill | G values/s |\n|---|---|---|---|");
+    eprintln!("{place}\n{}\n", python::line(python.as_ref()));
     let mut memory = vec![1f32; VALUES];
+    let (mut rates, mut fills_s) = (Vec::new(), Vec::new());
     for job in JOBS {
-        if !wanted.is_empty() && !wanted.iter().any(|part| job.name.contains(part.as_str())) {
+        if !parts.is_empty() && !parts.iter().any(|part| job.name.contains(part.as_str())) {
             continue;
         }
-        let mut entries: Vec<Entry> = Vec::new();
-        let mut add = |found: Option<(String, Box<dyn Contender>)>| {
-            entries.extend(found.map(|(name, maker)| Entry {
-                name,
-                maker,
-                seconds: Vec::new(),
-            }));
+        let mut makers = vec![ours::cpu(job)?];
+        makers.extend(ours::on_device(job, device.as_ref())?);
+        makers.extend(libraries::of(job));
+        makers.extend(python::of(job, python.as_ref()));
+        let untimed = |maker| Entry {
+            maker,
+            seconds: Vec::new(),
         };
-        add(ours::cpu(job)?);
-        for found in ours::on_device(job, device.as_ref())? {
-            add(Some(found));
-        }
-        for found in libraries::of(job) {
-            add(Some(found));
-        }
-        for found in python::of(job, python.as_ref()) {
-            add(Some(found));
-        }
+        let mut entries: Vec<Entry> = makers.into_iter().map(untimed).collect();
         let fill_s = measure(job, &mut entries, &mut memory)?;
-        for entry in &mut entries {
-            let seconds = median(&mut entry.seconds);
-            println!(
-                "| {} | {} | {:.1} | {:.2} |",
+        fills_s.push(fill_s);
+        for Entry { maker, mut seconds } in entries {
+            let seconds = median(&mut seconds);
+            let values_s = VALUES as f64 / seconds;
+            eprintln!(
+                "{}: {}: {:.1} x fill, {:.2} G values/s",
                 job.name,
-                entry.name,
+                maker.name(),
                 seconds / fill_s,
-                VALUES as f64 / seconds * 1e-9
+                values_s * 1e-9
             );
+            rates.push(Rate {
+                job: job.name,
+                library: maker.library,
+                column: maker.column,
+                label: maker.label,
+                values_s,
+            });
         }
+    }
+    if rates.is_empty() {
+        return Err("no job has such a name".into());
+    }
+    let fill = VALUES as f64 / median(&mut fills_s) * 1e-9;
+    let place = format!("{place}, a fill makes {fill:.1} G values/s");
+    let heading = table::heading(&place, &rates, &missing);
+    let table = format!("{heading}\n\n{}", table::pivot(&rates));
+    print!("{table}");
+    if write {
+        readme::write(&table)?;
     }
     Ok(())
 }
@@ -86,9 +121,9 @@ fn measure(
     memory: &mut [f32],
 ) -> Result<f64, Box<dyn std::error::Error>> {
     for entry in &mut *entries {
-        entry.maker.make(memory)?;
-        let same = entry.maker.is_in_memory();
-        job.verify(&entry.name, same.then_some(&*memory))?;
+        entry.maker.contender.make(memory)?;
+        let same = entry.maker.contender.is_in_memory();
+        job.verify(&entry.maker.name(), same.then_some(&*memory))?;
     }
     let mut fills = Vec::new();
     for round in 0..ROUNDS {
@@ -96,7 +131,7 @@ fn measure(
         for entry in &mut *entries {
             let long = entry.seconds.first().is_some_and(|first| *first > LONG_S);
             if round < 3 || !long {
-                entry.seconds.push(entry.maker.make(memory)?);
+                entry.seconds.push(entry.maker.contender.make(memory)?);
             }
         }
     }

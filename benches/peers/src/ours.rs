@@ -1,6 +1,7 @@
 //! corput: the CPU path, and the kernels of the first device.
 
-use crate::job::{Contender, Job, Kind};
+use crate::job::{Contender, Job, Kind, Maker};
+use crate::versions;
 use corput::bulk::Reference;
 use corput::catalog::{Engine, Order, Sequence};
 use corput::kernels::Generator;
@@ -8,8 +9,6 @@ use corput::vulkan::{Device, Instance, InstanceOptions, select};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
-
-type Named = (String, Box<dyn Contender>);
 
 struct Cpu(Reference);
 
@@ -60,37 +59,50 @@ pub fn device() -> Option<Arc<Device>> {
 /// What the device is.
 pub fn line(device: Option<&Arc<Device>>) -> String {
     device.map_or("no Vulkan device".into(), |device| {
-        format!("{} ({})", device.info().name, device.info().driver_info)
+        format!("{}, {}", device.info().name, device.info().driver_info)
     })
 }
 
-pub fn cpu(job: &Job) -> corput::Result<Option<Named>> {
+pub fn cpu(job: &Job) -> corput::Result<Maker> {
     let request = job.request(Order::Natural, job.sequence())?;
-    let name = match job.kind {
-        Kind::Random => "corput, CPU (pcg4d)",
-        Kind::SobolScrambled => "corput, CPU (hash)",
-        _ => "corput, CPU",
+    let note = match job.kind {
+        Kind::Random => "(CPU, pcg4d)",
+        Kind::SobolScrambled => "(CPU, hash)",
+        _ => "(CPU)",
     };
-    Ok(Some((name.into(), Box::new(Cpu(Reference::new(&request))))))
+    let cpu = Cpu(Reference::new(&request));
+    Ok(maker("CPU", note.to_owned(), "", Box::new(cpu)))
 }
 
-pub fn on_device(job: &Job, device: Option<&Arc<Device>>) -> corput::Result<Vec<Named>> {
+pub fn on_device(job: &Job, device: Option<&Arc<Device>>) -> corput::Result<Vec<Maker>> {
     let Some(device) = device else {
         return Ok(Vec::new());
     };
-    let mut sequences = vec![("corput, Vulkan", job.sequence())];
+    // Of llvmpipe (LLVM 15.0.6, 256 bits) the first word.
+    let name = device.info().name.split(" (").next().unwrap_or_default();
+    let mut sequences = vec![(job.sequence(), format!("({name})"), "")];
     if job.kind == Kind::Random {
-        sequences.push(("corput, Vulkan (Philox)", Sequence::Random));
+        sequences.push((Sequence::Random, format!("({name}, Philox)"), "`random`"));
     }
-    let named = |(name, sequence): (&str, Sequence)| {
+    let on_it = |(sequence, note, label): (Sequence, String, &str)| {
         let request = job.request(Order::Natural, sequence)?;
-        let maker = Gpu {
+        let gpu = Gpu {
             generator: Generator::new(device, &request)?,
             rows: request.count,
             verified: false,
             dimensions: job.dimensions,
         };
-        Ok((name.to_owned(), Box::new(maker) as Box<dyn Contender>))
+        Ok(maker(name, note, label, Box::new(gpu)))
     };
-    sequences.into_iter().map(named).collect()
+    sequences.into_iter().map(on_it).collect()
+}
+
+fn maker(place: &str, note: String, label: &str, contender: Box<dyn Contender>) -> Maker {
+    Maker {
+        library: format!("corput {}", versions::of("corput")),
+        note,
+        column: format!("corput, {place}"),
+        label: label.to_owned(),
+        contender,
+    }
 }

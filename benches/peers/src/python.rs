@@ -1,28 +1,38 @@
-//! SciPy and Torch, in a Python process that makes what it is asked for.
+//! SciPy, NumPy and Torch, in a Python process that makes what it is asked for.
 
 use crate::VALUES;
-use crate::job::{Contender, Job, Kind};
+use crate::job::{Contender, Job, Kind, Maker, threads};
 use std::cell::RefCell;
 use std::error::Error;
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::rc::Rc;
 
-/// The process, and the libraries that it has.
+/// Packages that may take part, their libraries' names, and columns of the table.
+const LIBRARIES: &[(&str, &str, &str)] = &[
+    ("scipy", "SciPy", "SciPy, NumPy"),
+    ("numpy", "NumPy", "SciPy, NumPy"),
+    ("torch", "Torch", "Torch"),
+];
+
+/// The process, and the packages that it has, with their versions.
 pub struct Server {
     child: Child,
     input: ChildStdin,
     output: BufReader<ChildStdout>,
-    libraries: Vec<String>,
+    packages: Vec<(String, String)>,
 }
+
+pub type Shared = Rc<RefCell<Server>>;
 
 impl Server {
     /// Starts `python3`, or what `PYTHON` names; nothing where it has none of the libraries.
-    pub fn start() -> Option<Rc<RefCell<Self>>> {
+    pub fn start() -> Option<Shared> {
         let program = std::env::var("PYTHON").unwrap_or_else(|_| "python3".into());
         let script = concat!(env!("CARGO_MANIFEST_DIR"), "/serve.py");
         let mut child = Command::new(program)
             .arg(script)
+            .arg(threads().to_string())
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
@@ -33,11 +43,15 @@ impl Server {
             child,
             input,
             output,
-            libraries: Vec::new(),
+            packages: Vec::new(),
         };
         let line = server.answer().ok()?;
-        server.libraries = line.split_whitespace().map(str::to_owned).collect();
-        (!server.libraries.is_empty()).then(|| Rc::new(RefCell::new(server)))
+        let packages = line.split_whitespace().filter_map(|word| {
+            let (package, version) = word.split_once('-')?;
+            Some((package.to_owned(), version.to_owned()))
+        });
+        server.packages = packages.collect();
+        (!server.packages.is_empty()).then(|| Rc::new(RefCell::new(server)))
     }
 
     fn answer(&mut self) -> std::io::Result<String> {
@@ -62,18 +76,33 @@ impl Drop for Server {
     }
 }
 
-/// What it has.
-pub fn line(server: Option<&Rc<RefCell<Server>>>) -> String {
-    match server {
-        Some(server) => server.borrow().libraries.join(", "),
-        None => {
-            "python3 has neither scipy nor torch: `pip install scipy torch`, or set PYTHON".into()
-        }
-    }
+/// The version of a package, where the process has it.
+fn version(server: Option<&Shared>, package: &str) -> Option<String> {
+    let server = server?.borrow();
+    let mut packages = server.packages.iter();
+    let (_, version) = packages.find(|(name, _)| name == package)?;
+    Some(version.clone())
+}
+
+/// Which libraries take part, and which do not.
+pub fn line(server: Option<&Shared>) -> String {
+    let of = |(package, name, _): &(&str, &str, &str)| match version(server, package) {
+        Some(version) => format!("{name} {version}"),
+        None => format!("no {name}"),
+    };
+    let all: Vec<String> = LIBRARIES.iter().map(of).collect();
+    format!("Python: {}", all.join(", "))
+}
+
+/// The libraries that do not take part.
+pub fn missing(server: Option<&Shared>) -> Vec<&'static str> {
+    let all = LIBRARIES.iter();
+    let missing = all.filter(|(package, ..)| version(server, package).is_none());
+    missing.map(|(_, name, _)| *name).collect()
 }
 
 struct Asked {
-    server: Rc<RefCell<Server>>,
+    server: Shared,
     question: String,
 }
 
@@ -89,12 +118,12 @@ impl Contender for Asked {
 }
 
 /// Those that make it.
-pub fn of(job: &Job, server: Option<&Rc<RefCell<Server>>>) -> Vec<(String, Box<dyn Contender>)> {
+pub fn of(job: &Job, server: Option<&Shared>) -> Vec<Maker> {
     let Some(server) = server else {
         return Vec::new();
     };
     let makers: &[(&str, &str, &str)] = match job.kind {
-        Kind::Halton => &[("scipy", "halton", "(f64, 2 workers)")],
+        Kind::Halton => &[("scipy", "halton", "(f64)")],
         Kind::Sobol => &[("scipy", "sobol", "(f64)"), ("torch", "sobol", "")],
         Kind::SobolScrambled => &[
             ("scipy", "sobol-scrambled", "(f64, linear matrix)"),
@@ -102,21 +131,25 @@ pub fn of(job: &Job, server: Option<&Rc<RefCell<Server>>>) -> Vec<(String, Box<d
         ],
         Kind::Random => &[("numpy", "random", "(f32)"), ("torch", "random", "")],
     };
-    let libraries = server.borrow().libraries.clone();
-    let mut found: Vec<(String, Box<dyn Contender>)> = Vec::new();
-    for (library, what, note) in makers {
-        let start = format!("{library}-");
-        let Some(version) = libraries.iter().find(|name| name.starts_with(&start)) else {
+    let mut found = Vec::new();
+    for &(package, name, column) in LIBRARIES {
+        let Some(version) = version(Some(server), package) else {
             continue;
         };
-        let rows = VALUES / job.dimensions;
-        let question = format!("{library} {what} {} {rows}", job.dimensions);
-        let asked = Asked {
-            server: Rc::clone(server),
-            question,
-        };
-        let name = format!("{} {note}", version.replacen('-', " ", 1));
-        found.push((name.trim().to_owned(), Box::new(asked)));
+        for (_, what, note) in makers.iter().filter(|(its, ..)| *its == package) {
+            let rows = VALUES / job.dimensions;
+            let asked = Asked {
+                server: Rc::clone(server),
+                question: format!("{package} {what} {} {rows}", job.dimensions),
+            };
+            found.push(Maker {
+                library: format!("{name} {version}"),
+                note: (*note).to_owned(),
+                column: column.to_owned(),
+                label: String::new(),
+                contender: Box::new(asked),
+            });
+        }
     }
     found
 }
