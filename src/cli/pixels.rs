@@ -26,6 +26,7 @@ pub fn run(args: &EstimateArgs, raster: &Raster, request: &Request) -> anyhow::R
     // Before there is a file that could be left.
     interrupt::clean_up();
     let target = args.out.as_deref().map(Target::from);
+    let piped = target == Some(Target::Stdout);
     let target = target.map(|target| {
         let format = Format::of(&target, None)?;
         Ok::<_, Error>((format, Document::open_described(&target)?))
@@ -38,11 +39,14 @@ pub fn run(args: &EstimateArgs, raster: &Raster, request: &Request) -> anyhow::R
         document.finish_described(&bytes, &form, &origin)?;
     }
     let truths = truths(raster)?;
-    if args.json {
-        let document = document(raster, request, &made, &truths);
-        print(&serde_json::to_string_pretty(&document)?);
-    } else {
-        print(&text(raster, request, &made, &truths)?);
+    let told = match args.json {
+        true => serde_json::to_string_pretty(&document(raster, request, &made, &truths))?,
+        false => text(raster, request, &made, &truths)?,
+    };
+    // A picture on standard output has that for itself.
+    match piped {
+        true => eprintln!("{told}"),
+        false => print(&told),
     }
     Ok(())
 }

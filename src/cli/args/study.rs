@@ -112,8 +112,8 @@ pub struct EstimateArgs {
     #[arg(long, value_parser = size)]
     pub pixels: Option<[u32; 2]>,
     /// Write the picture: .npy has mean, variance and count, .exr the means, .png the means as
-    /// shares of the largest; - is an .npy on standard output. FILE.json beside a file records
-    /// arguments and hashes, for `corput verify`.
+    /// shares of the largest; - is an .npy on standard output, and what else is said goes to
+    /// standard error. FILE.json beside a file records arguments and hashes, for `corput verify`.
     #[serde(skip)]
     #[arg(long)]
     pub out: Option<PathBuf>,

@@ -21,6 +21,18 @@ fn desk(name: &str) -> Desk {
     desk
 }
 
+/// What is told of a picture is not among its bytes.
+#[test]
+fn standard_output_has_the_picture_alone() {
+    let desk = desk("p.npy");
+    for (form, told) in [("", "RMS error"), ("--json", "\"rms_error\"")] {
+        let run = desk.run(&format!("{LINE} --device cpu --out - {form}"));
+        run.expect(0, &[told]);
+        assert_eq!(run.stdout, desk.bytes("p.npy"));
+    }
+    assert_eq!(desk.names(), ["p.npy", "p.npy.json"]);
+}
+
 #[test]
 fn pictures_are_described_and_verified() {
     let schema: Value =
