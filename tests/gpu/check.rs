@@ -128,10 +128,11 @@ fn every_extreme_case_passes_on_every_device() {
     });
 }
 
-/// What random numbers, nets and errors should be like, of points that the device made.
+/// What random numbers, nets and errors should be like, of points that the device made: of one, for
+/// those of others have the same bits, as the rows compare.
 #[test]
-fn statistics_pass_on_every_device() {
-    support::on_each_device(|device| {
+fn statistics_pass() {
+    support::on_one_device(|device| {
         let found = corput::card::statistics(device).unwrap_or_else(|error| panic!("{error}"));
         let failed: Vec<_> = found.iter().filter(|one| !one.passes()).collect();
         assert!(failed.is_empty(), "{failed:#?}");
