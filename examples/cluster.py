@@ -60,8 +60,8 @@ def devices(corput, alike):
         return []
     asked = subprocess.run([corput, "devices", "--json"], capture_output=True, text=True)
     listed = json.loads(asked.stdout)["devices"] if asked.returncode == 0 else []
-    # Kernels of estimates are exact on devices of tier F alone.
-    exact = [device for device in listed if device["probe"].get("tier_f")]
+    # Points and estimates are tier I throughout: on others they may be other bits.
+    exact = [device for device in listed if device["probe"].get("tier_i")]
     gpus = [device for kind in GPUS for device in exact if device["kind"] == kind]
     held = gpus or exact[:1]
     held = [one for one in held if not alike or one["name"] == held[0]["name"]]
